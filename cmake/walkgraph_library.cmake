@@ -1,0 +1,32 @@
+# walkgraph_library(NAME DIRECTORIES dir... [DEPENDS target...])
+#
+# One library from the *.cc and *.h directly in the given directories (relative to the top of the
+# repository). Headers are included by their path from the top ("data/recording.h"), but the top is on
+# nobody's include path: every library publishes links to its own headers, so that an include compiles
+# only where the link target is there too. A library without *.cc is an interface.
+function(walkgraph_library name)
+  cmake_parse_arguments(ARG "" "" "DIRECTORIES;DEPENDS" ${ARGN})
+  set(include_root ${PROJECT_BINARY_DIR}/include/${name})
+  set(sources "")
+  set(headers "")
+  foreach(directory IN LISTS ARG_DIRECTORIES)
+    file(GLOB found_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${directory}/*.cc)
+    file(GLOB found_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${directory}/*.h)
+    list(APPEND sources ${found_sources})
+    list(APPEND headers ${found_headers})
+    file(MAKE_DIRECTORY ${include_root}/${directory})
+    foreach(header IN LISTS found_headers)
+      get_filename_component(file ${header} NAME)
+      file(CREATE_LINK ${header} ${include_root}/${directory}/${file} SYMBOLIC)
+    endforeach()
+  endforeach()
+  if(sources)
+    add_library(${name} STATIC ${sources} ${headers})
+    target_include_directories(${name} PUBLIC ${include_root})
+    target_link_libraries(${name} PUBLIC ${ARG_DEPENDS})
+  else()
+    add_library(${name} INTERFACE)
+    target_include_directories(${name} INTERFACE ${include_root})
+    target_link_libraries(${name} INTERFACE ${ARG_DEPENDS})
+  endif()
+endfunction()

@@ -1,0 +1,63 @@
+#ifndef WALKGRAPH_DATA_BUILDING_H_
+#define WALKGRAPH_DATA_BUILDING_H_
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/truth.h"
+
+namespace walkgraph {
+
+using Polygon = std::vector<Eigen::Vector2d>;  // closed ring in metres, last vertex not repeated
+
+struct PlanImage {
+  std::string path;  // PNG; empty where there is none
+  // Building-frame rectangle that the image covers (image rows run from top = max y down).
+  Eigen::Vector2d min_corner = Eigen::Vector2d::Zero();
+  Eigen::Vector2d max_corner = Eigen::Vector2d::Zero();
+};
+
+struct Floor {
+  int number = 0;
+  std::string name;  // as the source calls it, "B1"
+  double height_m = 0;
+  Eigen::Vector2d min_corner = Eigen::Vector2d::Zero();  // bounding box, building frame
+  Eigen::Vector2d max_corner = Eigen::Vector2d::Zero();
+  std::vector<Polygon> outline;    // empty: only the bounding box is known
+  std::vector<Polygon> obstacles;  // not walkable (shops)
+  PlanImage image;
+};
+
+// Where the building frame's origin lies and how it is turned: x = east and y = north rotated by
+// rotation_rad (counter-clockwise angle from east to the frame's +x axis).
+struct GeoReference {
+  double latitude_deg = 0;
+  double longitude_deg = 0;
+  double rotation_rad = 0;
+};
+
+struct Building {
+  std::string name;
+  std::vector<Floor> floors;  // by increasing number
+  std::optional<GeoReference> origin;
+
+  const Floor* FindFloor(int number) const;
+};
+
+// Waypoints in metres of the building frame. WGS84 truth goes through the local tangent plane at the
+// building's origin (error under 1 mm within 1 km).
+// Throws std::invalid_argument where the truth is WGS84 and the building has no origin.
+Truth ToBuildingFrame(const Truth& truth, const Building& building);
+
+// Metres east/north of the origin, turned into the building frame, for a WGS84 point in degrees.
+Eigen::Vector2d Wgs84ToBuilding(double latitude_deg, double longitude_deg,
+                                const GeoReference& origin);
+
+// Inside by the even-odd rule over all rings; points on an edge may fall on either side.
+bool InsidePolygons(const std::vector<Polygon>& rings, const Eigen::Vector2d& point);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_DATA_BUILDING_H_

@@ -1,0 +1,211 @@
+#ifndef WALKGRAPH_FACTORS_SETTINGS_H_
+#define WALKGRAPH_FACTORS_SETTINGS_H_
+
+#include <cstdint>
+#include <string>
+
+namespace walkgraph {
+
+// Noise and switches of the factor types and slow states. One struct per factor, and one Visit() per
+// struct that names every key once: the configuration file, `walkgraph config` and calibration are
+// all made from it. A visitor has `Field(key, value&, documentation)` and `Group(key, struct&)`.
+// Sigmas are what one sample deviates, in the unit of the name; none is a weight.
+
+enum class LossKind : std::uint8_t { kNone, kHuber, kCauchy };
+
+// Robust loss on a whitened residual's norm.
+struct LossSettings {
+  LossKind kind = LossKind::kNone;
+  double scale = 2.0;  // whitened norm where the loss leaves the parabola
+};
+
+// A slow state is estimated, held at its prior mean, or left out of the model (as if exactly zero).
+enum class StateMode : std::uint8_t { kActive, kFixed, kAbsent };
+
+struct StepSettings {
+  bool enabled = true;
+  double sigma_along_m = 0.10;
+  double sigma_across_m = 0.10;
+  LossSettings loss;
+};
+
+struct HeadingIncrementSettings {
+  bool enabled = true;
+  double sigma_rad_per_sqrt_s = 0.05;  // walking direction against integrated gyroscope
+  LossSettings loss;
+};
+
+struct AbsoluteHeadingSettings {
+  bool enabled = true;
+  double sigma_rad = 0.2;
+  double correlation_s = 2.0;  // samples closer than this say the same thing twice
+  LossSettings loss;
+};
+
+struct StandingSettings {
+  bool enabled = true;
+  double sigma_mps = 0.05;      // drift of a standing person, per sqrt(s) of standing
+  LossSettings loss;
+};
+
+struct FingerprintSettings {
+  bool wifi = true;
+  bool beacon = true;
+  double n_eff = 0;          // independent readings per scan; 0 takes the site's calibrated value
+  double min_rssi_dbm = -120;  // weaker readings are not used
+  LossSettings loss;
+};
+
+struct GyroBiasSettings {
+  StateMode mode = StateMode::kActive;
+  double prior_sigma_radps = 0.01;
+  double walk_radps_per_sqrt_s = 0.0005;
+  double knot_s = 20;
+};
+
+struct HeadingOffsetSettings {
+  StateMode mode = StateMode::kActive;
+  double prior_mean_rad = 0;
+  double prior_sigma_rad = 0.2;
+  double walk_rad_per_sqrt_s = 0.02;
+  double knot_s = 10;
+};
+
+struct StepScaleSettings {
+  StateMode mode = StateMode::kActive;
+  double prior_mean = 1.0;
+  double prior_sigma = 0.1;
+  double walk_per_sqrt_s = 0.005;
+  double knot_s = 20;
+};
+
+struct MapErrorSettings {
+  StateMode mode = StateMode::kActive;
+  double sigma_m = 0;         // stationary, per axis; 0 takes the site's calibrated value
+  double correlation_s = 20;
+  double knot_s = 5;
+};
+
+struct RssiOffsetSettings {
+  StateMode mode = StateMode::kActive;
+  double prior_sigma_db = 3.0;
+};
+
+struct PriorSettings {
+  double position_sigma_m = 200;  // of a walk's start about the middle of the floor
+};
+
+struct FactorSettings {
+  StepSettings step;
+  HeadingIncrementSettings heading_increment;
+  AbsoluteHeadingSettings absolute_heading;
+  StandingSettings standing;
+  FingerprintSettings fingerprint;
+  GyroBiasSettings gyro_bias;
+  HeadingOffsetSettings heading_offset;
+  StepScaleSettings step_scale;
+  MapErrorSettings map_error;
+  RssiOffsetSettings rssi_offset;
+  PriorSettings prior;
+};
+
+template <typename Visitor>
+void Visit(Visitor& v, LossSettings& s) {
+  v.Field("loss", s.kind, "robust loss on the whitened norm: none, huber or cauchy");
+  v.Field("loss_scale", s.scale, "whitened norm where the loss leaves the parabola");
+}
+template <typename Visitor>
+void Visit(Visitor& v, StepSettings& s) {
+  v.Field("enabled", s.enabled, "use detected steps");
+  v.Field("sigma_along_m", s.sigma_along_m, "error of one step's length, m");
+  v.Field("sigma_across_m", s.sigma_across_m, "sideways error of one step, m");
+  Visit(v, s.loss);
+}
+template <typename Visitor>
+void Visit(Visitor& v, HeadingIncrementSettings& s) {
+  v.Field("enabled", s.enabled, "use integrated gyroscope yaw between nodes");
+  v.Field("sigma_rad_per_sqrt_s", s.sigma_rad_per_sqrt_s,
+          "change of walking direction against the gyroscope, rad per square root of seconds");
+  Visit(v, s.loss);
+}
+template <typename Visitor>
+void Visit(Visitor& v, AbsoluteHeadingSettings& s) {
+  v.Field("enabled", s.enabled, "use rotation vector or magnetometer heading");
+  v.Field("sigma_rad", s.sigma_rad, "short-term error of an absolute heading, rad");
+  v.Field("correlation_s", s.correlation_s, "samples closer than this are one sample, s");
+  Visit(v, s.loss);
+}
+template <typename Visitor>
+void Visit(Visitor& v, StandingSettings& s) {
+  v.Field("enabled", s.enabled, "hold the position between nodes while standing");
+  v.Field("sigma_mps", s.sigma_mps, "drift of a standing person, m per square root of seconds");
+  Visit(v, s.loss);
+}
+template <typename Visitor>
+void Visit(Visitor& v, FingerprintSettings& s) {
+  v.Field("wifi", s.wifi, "use Wi-Fi readings");
+  v.Field("beacon", s.beacon, "use beacon readings");
+  v.Field("n_eff", s.n_eff, "independent readings per scan; 0 takes the site's calibrated value");
+  v.Field("min_rssi_dbm", s.min_rssi_dbm, "weaker readings are not used, dBm");
+  Visit(v, s.loss);
+}
+template <typename Visitor>
+void Visit(Visitor& v, GyroBiasSettings& s) {
+  v.Field("mode", s.mode, "active, fixed or absent");
+  v.Field("prior_sigma_radps", s.prior_sigma_radps, "bias at the start, rad/s");
+  v.Field("walk_radps_per_sqrt_s", s.walk_radps_per_sqrt_s, "random walk, rad/s per sqrt(s)");
+  v.Field("knot_s", s.knot_s, "knot spacing, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, HeadingOffsetSettings& s) {
+  v.Field("mode", s.mode, "active, fixed or absent");
+  v.Field("prior_mean_rad", s.prior_mean_rad,
+          "walking direction minus absolute heading, mean over walks, rad");
+  v.Field("prior_sigma_rad", s.prior_sigma_rad, "spread of the offset over walks, rad");
+  v.Field("walk_rad_per_sqrt_s", s.walk_rad_per_sqrt_s, "random walk, rad per sqrt(s)");
+  v.Field("knot_s", s.knot_s, "knot spacing, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, StepScaleSettings& s) {
+  v.Field("mode", s.mode, "active, fixed or absent");
+  v.Field("prior_mean", s.prior_mean, "true over modelled step length, mean over walks");
+  v.Field("prior_sigma", s.prior_sigma, "spread of the scale over walks");
+  v.Field("walk_per_sqrt_s", s.walk_per_sqrt_s, "random walk, per sqrt(s)");
+  v.Field("knot_s", s.knot_s, "knot spacing, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, MapErrorSettings& s) {
+  v.Field("mode", s.mode, "active, fixed or absent");
+  v.Field("sigma_m", s.sigma_m,
+          "stationary error of the radio map per axis, m; 0 takes the site's calibrated value");
+  v.Field("correlation_s", s.correlation_s, "time over which the error persists, s");
+  v.Field("knot_s", s.knot_s, "knot spacing, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, RssiOffsetSettings& s) {
+  v.Field("mode", s.mode, "active, fixed or absent");
+  v.Field("prior_sigma_db", s.prior_sigma_db, "device offset per radio, dB");
+}
+template <typename Visitor>
+void Visit(Visitor& v, PriorSettings& s) {
+  v.Field("position_sigma_m", s.position_sigma_m,
+          "prior of the first position about the middle of the floor, m");
+}
+template <typename Visitor>
+void Visit(Visitor& v, FactorSettings& s) {
+  v.Group("step", s.step);
+  v.Group("heading_increment", s.heading_increment);
+  v.Group("absolute_heading", s.absolute_heading);
+  v.Group("standing", s.standing);
+  v.Group("fingerprint", s.fingerprint);
+  v.Group("gyro_bias", s.gyro_bias);
+  v.Group("heading_offset", s.heading_offset);
+  v.Group("step_scale", s.step_scale);
+  v.Group("map_error", s.map_error);
+  v.Group("rssi_offset", s.rssi_offset);
+  v.Group("prior", s.prior);
+}
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FACTORS_SETTINGS_H_

@@ -1,0 +1,64 @@
+#ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_SITE_H_
+#define WALKGRAPH_FRONTENDS_RADIO_MAP_SITE_H_
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "data/building.h"
+#include "data/recording.h"
+#include "frontends/evidence/evidence.h"
+#include "frontends/radio_map/radio_map.h"
+
+namespace walkgraph {
+
+// A point of a survey path: where a survey walk went, resampled about every metre.
+struct SurveyPoint {
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
+  int floor = 0;
+  std::uint32_t walk = 0;  // index of the survey walk, as in SurveyScan
+};
+
+// One unique reading of the survey, placed where the person was when it was heard.
+struct SurveyReading {
+  std::uint32_t transmitter = 0;  // index into Site::transmitters
+  float rssi_dbm = 0;
+  float age_s = 0;                                     // printed minus heard
+  Eigen::Vector2f position_m = Eigen::Vector2f::Zero();  // at the time heard
+};
+
+// The readings that were printed together.
+struct SurveyScan {
+  TimeNs printed_ns = 0;
+  std::uint32_t walk = 0;
+  int floor = 0;
+  Radio radio = Radio::kWifi;
+  std::vector<SurveyReading> readings;
+};
+
+// What a survey leaves behind: the building, the raw placed readings (for methods that compare
+// fingerprints) and the fields trained on them (for methods that need a likelihood).
+struct Site {
+  Building building;
+  std::vector<Transmitter> transmitters;  // sorted, each once
+  std::vector<SurveyPoint> path;
+  std::vector<SurveyScan> scans;   // by walk, then printed_ns
+  std::vector<RadioMap> maps;      // by floor, then radio
+
+  // The map of a floor and radio, or nullptr where nothing was surveyed.
+  const RadioMap* FindMap(int floor, Radio radio) const;
+  // Floors with at least one map, ascending.
+  std::vector<int> SurveyedFloors() const;
+  // Counter-clockwise angle to add to an east-north heading to get one of the building frame.
+  double HeadingToBuilding() const;
+};
+
+inline constexpr std::int32_t kUnknownTransmitter = -1;
+
+// For each transmitter of the evidence its index in the site, or kUnknownTransmitter.
+std::vector<std::int32_t> MatchTransmitters(const Site& site, const Evidence& evidence);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_SITE_H_

@@ -1,0 +1,76 @@
+#ifndef WALKGRAPH_SOLVERS_ESTIMATOR_H_
+#define WALKGRAPH_SOLVERS_ESTIMATOR_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "data/trajectory.h"
+#include "frontends/evidence/evidence.h"
+#include "frontends/radio_map/site.h"
+
+namespace walkgraph {
+
+enum class EstimateStatus : std::uint8_t {
+  kOk,
+  kUnobservable,  // a trajectory from what there is, with honest, large covariance
+  kUnsupported,   // the walk lacks what the method needs; messages say what
+  kInputError,    // the recording could not be read
+  kDiverged,      // no finite answer
+};
+
+// "ok", "unobservable", "unsupported", "input_error", "diverged".
+inline std::string_view StatusName(EstimateStatus status) {
+  constexpr std::string_view kNames[] = {"ok", "unobservable", "unsupported", "input_error",
+                                         "diverged"};
+  return kNames[static_cast<int>(status)];
+}
+
+// A slow state at a knot.
+struct SlowStateEstimate {
+  std::string name;  // with its unit: "gyro_bias_radps"
+  TimeNs time_ns = 0;
+  double value = 0;
+  double sigma = 0;
+};
+
+// How well one factor type agreed with the solution.
+struct FactorStatistics {
+  std::string factor;
+  std::int64_t count = 0;
+  int dimension = 0;
+  double mean_squared_whitened = 0;  // per dimension; about 1 where the noise model is right
+  std::int64_t downweighted = 0;     // factors whose robust weight fell under 1/2
+};
+
+// A competing explanation of the walk.
+struct Hypothesis {
+  std::string source;  // "viterbi", "dead_reckoning 3"
+  double negative_log_posterior = 0;  // with normalisers and 1/2 log det of the Hessian, nats
+  bool kept = false;                  // within the mode limit of the best
+  std::vector<Eigen::Vector2d> path_m;  // one point per node
+};
+
+struct EstimateResult {
+  EstimateStatus status = EstimateStatus::kOk;
+  Trajectory trajectory;
+  std::vector<SlowStateEstimate> slow_states;
+  std::vector<FactorStatistics> factor_statistics;
+  std::vector<Hypothesis> hypotheses;  // best first
+  std::vector<std::string> messages;
+};
+
+// A method that finds a walk. Implementations are immutable after construction, so that one object
+// serves walks on several threads; equal input gives equal bytes.
+class Estimator {
+ public:
+  virtual ~Estimator() = default;
+  virtual std::string_view name() const = 0;
+  // Never throws on poor evidence: that is what the status is for.
+  virtual EstimateResult Estimate(const Site& site, const Evidence& evidence) const = 0;
+};
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_SOLVERS_ESTIMATOR_H_
