@@ -34,8 +34,8 @@ FieldBasis EvaluateBasis(const FieldGrid& grid, const Eigen::Vector2d& position_
 // One transmitter's expected reading at a position.
 struct FieldValue {
   double mean_dbm = 0;
-  double log_sigma = 0;     // of the spread in dB: measurement noise and ignorance together
-  double logit_hear = 0;    // log odds of hearing it in one sweep
+  double log_sigma = 0;   // of the spread in dB: measurement noise and ignorance together
+  double logit_hear = 0;  // log odds of hearing it in one sweep
   Eigen::Vector2d d_mean = Eigen::Vector2d::Zero();  // per metre
   Eigen::Vector2d d_log_sigma = Eigen::Vector2d::Zero();
   Eigen::Vector2d d_logit_hear = Eigen::Vector2d::Zero();
@@ -44,8 +44,8 @@ struct FieldValue {
 // The smooth field of every transmitter of one radio on one floor.
 class RadioMap {
  public:
-  // Control values of one transmitter inside a rectangle of control points; outside the rectangle the
-  // transmitter takes its background values.
+  // Control values of one transmitter inside a rectangle of control points; outside the rectangle
+  // the transmitter takes its background values.
   struct TransmitterField {
     std::uint32_t transmitter = 0;  // index into Site::transmitters
     int column = 0, row = 0, columns = 0, rows = 0;
@@ -56,7 +56,7 @@ class RadioMap {
   int floor = 0;
   Radio radio = Radio::kWifi;
   FieldGrid grid;
-  double sigma_min_db = 0;       // the smallest spread of any field
+  double sigma_min_db = 0;  // the smallest spread of any field
   // Calibrated on survey walks held out in turn (see trainer): how many independent readings a scan
   // is worth, and the sigma of the slow position error that all scans at a place share.
   double n_eff = 0;

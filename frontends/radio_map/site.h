@@ -24,7 +24,7 @@ struct SurveyPoint {
 struct SurveyReading {
   std::uint32_t transmitter = 0;  // index into Site::transmitters
   float rssi_dbm = 0;
-  float age_s = 0;                                     // printed minus heard
+  float age_s = 0;                                       // printed minus heard
   Eigen::Vector2f position_m = Eigen::Vector2f::Zero();  // at the time heard
 };
 
@@ -43,8 +43,8 @@ struct Site {
   Building building;
   std::vector<Transmitter> transmitters;  // sorted, each once
   std::vector<SurveyPoint> path;
-  std::vector<SurveyScan> scans;   // by walk, then printed_ns
-  std::vector<RadioMap> maps;      // by floor, then radio
+  std::vector<SurveyScan> scans;  // by walk, then printed_ns
+  std::vector<RadioMap> maps;     // by floor, then radio
 
   // The map of a floor and radio, or nullptr where nothing was surveyed.
   const RadioMap* FindMap(int floor, Radio radio) const;

@@ -1,0 +1,50 @@
+#ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_TRAINER_H_
+#define WALKGRAPH_FRONTENDS_RADIO_MAP_TRAINER_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "data/building.h"
+#include "data/trajectory.h"
+#include "frontends/evidence/evidence.h"
+#include "frontends/radio_map/site.h"
+
+namespace walkgraph {
+
+struct TrainerSettings {
+  double grid_spacing_m = 3.0;     // of the control points
+  double sample_spacing_m = 2.0;   // readings of one walk closer than this become one sample
+  double margin_m = 15.0;          // of a transmitter's field around the places that heard it
+  double hear_bandwidth_m = 5.0;   // of the kernel that counts heard and missed sweeps
+  double hear_prior_sweeps = 1.0;  // weight of the floor-wide rate in the probability of hearing
+};
+
+template <typename Visitor>
+void Visit(Visitor& v, TrainerSettings& s) {
+  v.Field("grid_spacing_m", s.grid_spacing_m, "spacing of the fields' control points, m");
+  v.Field("sample_spacing_m", s.sample_spacing_m,
+          "readings of one walk closer than this become one sample, m");
+  v.Field("margin_m", s.margin_m, "field around the places that heard a transmitter, m");
+  v.Field("hear_bandwidth_m", s.hear_bandwidth_m, "kernel that counts heard and missed sweeps, m");
+  v.Field("hear_prior_sweeps", s.hear_prior_sweeps,
+          "weight of the floor-wide rate in the probability of hearing, sweeps");
+}
+
+// A walk with known positions: covariance_xy of the trajectory, where finite, says how well.
+struct SurveyWalk {
+  const Evidence* evidence = nullptr;
+  Trajectory trajectory;
+};
+
+// Trains the radio maps of every floor and radio from survey walks (pairs of evidence and
+// trajectory). Walks without readings or without a trajectory add nothing. Each field is a Gaussian
+// process whose length scale, amplitude and noise maximise the predictive density of whole walks
+// left out in turn; a map's n_eff and map_error_sigma_m are calibrated on survey walks held out of
+// the map. Deterministic: equal input gives an equal site. No survey at all gives a site without
+// maps.
+Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
+               const TrainerSettings& settings);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_TRAINER_H_
