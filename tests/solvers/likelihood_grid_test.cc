@@ -1,0 +1,101 @@
+#include "solvers/baselines/likelihood_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "solvers/synthetic_site.h"
+
+namespace walkgraph {
+namespace {
+
+using testing::SyntheticSite;
+
+TEST(CollectMapSweeps, WeighsAScanByItsEffectiveReadings) {
+  SyntheticSite synthetic(1);
+  const Evidence evidence = synthetic.Walk({{10, 10}, {30, 10}}, 0.1, 4);
+  const RadioMap& map = synthetic.site.maps.front();
+  const auto sweeps = CollectMapSweeps(synthetic.site, map, evidence, FingerprintSettings());
+  ASSERT_EQ(sweeps.size(), 5U);
+  for (const MapSweep& sweep : sweeps) {
+    const auto n = static_cast<double>(sweep.readings.size());
+    EXPECT_DOUBLE_EQ(sweep.weight, n > 4 ? 4 / n : 1.0);
+  }
+  FingerprintSettings two;
+  two.n_eff = 2;
+  EXPECT_LT(CollectMapSweeps(synthetic.site, map, evidence, two)[0].weight, sweeps[0].weight);
+}
+
+TEST(CollectMapSweeps, CutsALongScanAndSharesItsSilence) {
+  SyntheticSite synthetic(1);
+  Evidence evidence;
+  evidence.transmitters = synthetic.site.transmitters;
+  evidence.transmitters.push_back({Radio::kWifi, "a stranger"});
+  const double heard_s[] = {0.0, 0.4, 1.1, 2.5, 3.0};
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    evidence.readings.push_back({SyntheticSite::At(heard_s[i]), SyntheticSite::At(3.5), i, -60.0F});
+  }
+  evidence.readings.push_back({SyntheticSite::At(3.2), SyntheticSite::At(3.5), 12, -50.0F});
+  const auto sweeps = CollectMapSweeps(synthetic.site, synthetic.site.maps.front(), evidence,
+                                       FingerprintSettings(), 1.0);
+  ASSERT_EQ(sweeps.size(), 3U);
+  EXPECT_EQ(sweeps[0].readings.size(), 2U);
+  EXPECT_EQ(sweeps[1].readings.size(), 1U);
+  EXPECT_EQ(sweeps[2].readings.size(), 2U);
+  EXPECT_DOUBLE_EQ(sweeps[0].silence_share, 0.4);
+  EXPECT_EQ(sweeps[0].mean_heard_ns, SyntheticSite::At(0.2));
+  EXPECT_EQ(sweeps[2].mean_heard_ns, SyntheticSite::At(2.75));
+  for (const MapSweep& sweep : sweeps) EXPECT_DOUBLE_EQ(sweep.weight, 4.0 / 5.0);
+}
+
+// One access point heard, one silent, both the same everywhere: the closed form of the model.
+TEST(LikelihoodGrid, IsTheFullNegativeLogLikelihood) {
+  RadioMap map;
+  map.grid = {{0, 0}, 1.0, 4, 4};
+  map.sigma_min_db = 2;
+  const double p_heard = 0.8, p_silent = 0.3;
+  const auto logit = [](double p) { return static_cast<float>(std::log(p / (1 - p))); };
+  map.fields.push_back({0, 0, 0, 0, 0, -60, std::log(4.0F), logit(p_heard), {}, {}, {}});
+  map.fields.push_back({1, 0, 0, 0, 0, -70, std::log(3.0F), logit(p_silent), {}, {}, {}});
+  map.silence_nats.assign(16, static_cast<float>(-std::log(1 - p_heard) - std::log(1 - p_silent)));
+  MapSweep sweep;
+  sweep.readings.push_back({0, -66.0F, 0});
+  const std::vector<Eigen::Vector2d> positions{{1.3, 1.6}, {400, -3}};
+  const auto nats = LikelihoodGrid(map, positions).Evaluate(std::vector{sweep});
+  const double expected =
+      0.5 * 1.5 * 1.5 + std::log(4.0 / 2.0) - std::log(p_heard) - std::log(1 - p_silent);
+  EXPECT_NEAR(nats[0][0], expected, 1e-5);
+  EXPECT_NEAR(nats[0][1], expected, 1e-5);
+}
+
+TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
+  SyntheticSite synthetic(3);
+  const Evidence evidence = synthetic.Walk({{5, 5}, {40, 30}}, 0.1, 4);
+  const RadioMap& map = synthetic.site.maps.front();
+  const auto sweeps = CollectMapSweeps(synthetic.site, map, evidence, FingerprintSettings());
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-20, 60);
+  std::vector<Eigen::Vector2d> positions(300);
+  for (Eigen::Vector2d& position : positions) {
+    position.x() = coordinate(random);
+    position.y() = coordinate(random);
+  }
+  const auto nats = LikelihoodGrid(map, positions).Evaluate(sweeps);
+  for (std::size_t s = 0; s < sweeps.size(); ++s) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const FieldBasis basis = EvaluateBasis(map.grid, positions[i]);
+      double expected = map.Silence(basis, nullptr);
+      for (const MapSweep::Reading& reading : sweeps[s].readings) {
+        const FieldValue value = map.Evaluate(reading.field, basis);
+        const double r = (reading.rssi_dbm - value.mean_dbm) / std::exp(value.log_sigma);
+        expected += 0.5 * r * r + value.log_sigma - std::log(map.sigma_min_db) - value.logit_hear;
+      }
+      EXPECT_NEAR(nats[s][i], sweeps[s].weight * expected, 2e-3) << positions[i].transpose();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace walkgraph
