@@ -1,0 +1,250 @@
+#include "frontends/radio_map/map_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <tuple>
+
+#include "frontends/radio_map/hearing.h"
+
+namespace walkgraph {
+namespace {
+
+// A dense process costs O(n^3): above this many samples they are merged over a wider spacing.
+constexpr std::size_t kMaxSamples = 300;
+// Transmitters that the field model is fitted on; more change it by less than a step of the
+// ladders.
+constexpr std::size_t kFitTransmitters = 60;
+
+std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings, double spacing_m) {
+  using Key = std::tuple<std::uint32_t, long, long>;
+  std::map<Key, std::pair<FieldSample, int>> cells;
+  for (const FieldSample& reading : readings) {
+    const Eigen::Vector2d cell = reading.position_m / spacing_m;
+    auto& [sum, count] = cells[{reading.walk, std::lround(cell.x()), std::lround(cell.y())}];
+    sum.position_m += reading.position_m;
+    sum.rssi_dbm += reading.rssi_dbm;
+    sum.walk = reading.walk;
+    ++count;
+  }
+  std::vector<FieldSample> samples;
+  samples.reserve(cells.size());
+  for (auto& [key, cell] : cells) {
+    cell.first.position_m /= cell.second;
+    cell.first.rssi_dbm /= cell.second;
+    samples.push_back(cell.first);
+  }
+  return samples;
+}
+
+using Selection = std::vector<const std::vector<FieldSample>*>;
+
+// An even selection of the transmitters that several walks heard.
+Selection SelectForFit(const std::map<std::uint32_t, std::vector<FieldSample>>& samples) {
+  Selection eligible;
+  for (const auto& [transmitter, list] : samples) {
+    const bool several_walks = std::any_of(list.begin(), list.end(), [&](const FieldSample& s) {
+      return s.walk != list.front().walk;
+    });
+    if (several_walks && list.size() >= 6) eligible.push_back(&list);
+  }
+  if (eligible.size() <= kFitTransmitters) return eligible;
+  Selection selection;
+  for (std::size_t i = 0; i < kFitTransmitters; ++i) {
+    selection.push_back(eligible[i * eligible.size() / kFitTransmitters]);
+  }
+  return selection;
+}
+
+double LogDensity(const Selection& selection, const FieldPrior& prior) {
+  double sum = 0;
+  for (const auto* samples : selection) {
+    sum += FieldProcess(*samples, prior).LeaveOneWalkOut().log_density;
+  }
+  return sum;
+}
+
+// Tries every value of one parameter and keeps the best.
+bool Improve(const Selection& selection, std::span<const double> ladder, double FieldPrior::*field,
+             FieldPrior* prior, double* best) {
+  bool improved = false;
+  const double start = prior->*field;
+  for (const double value : ladder) {
+    if (value == start) continue;
+    FieldPrior trial = *prior;
+    trial.*field = value;
+    const double density = LogDensity(selection, trial);
+    if (density > *best) {
+      *best = density;
+      *prior = trial;
+      improved = true;
+    }
+  }
+  return improved;
+}
+
+double RootMeanSquareLeftOut(const Selection& selection, const FieldPrior& prior) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const auto* samples : selection) {
+    for (const double z : FieldProcess(*samples, prior).LeaveOneWalkOut().whitened) {
+      sum += z * z;
+      ++count;
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+void SetRectangle(const FieldGrid& grid, const std::vector<FieldSample>& samples, double margin_m,
+                  RadioMap::TransmitterField* field) {
+  Eigen::Vector2d low = samples.front().position_m, high = low;
+  for (const FieldSample& sample : samples) {
+    low = low.cwiseMin(sample.position_m);
+    high = high.cwiseMax(sample.position_m);
+  }
+  const Eigen::Vector2d first = (low.array() - margin_m - grid.origin_m.array()) / grid.spacing_m;
+  const Eigen::Vector2d last = (high.array() + margin_m - grid.origin_m.array()) / grid.spacing_m;
+  field->column = std::clamp(static_cast<int>(std::floor(first.x())), 0, grid.columns - 1);
+  field->row = std::clamp(static_cast<int>(std::floor(first.y())), 0, grid.rows - 1);
+  field->columns =
+      std::clamp(static_cast<int>(std::ceil(last.x())), field->column, grid.columns - 1) -
+      field->column + 1;
+  field->rows =
+      std::clamp(static_cast<int>(std::ceil(last.y())), field->row, grid.rows - 1) - field->row + 1;
+}
+
+void FillSignal(const FieldGrid& grid, const FieldProcess& process, double sigma_scale,
+                RadioMap::TransmitterField* field) {
+  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(field->columns) * field->rows);
+  for (int row = 0; row < field->rows; ++row) {
+    for (int column = 0; column < field->columns; ++column) {
+      points.col(static_cast<Eigen::Index>(row) * field->columns + column) =
+          grid.origin_m +
+          grid.spacing_m * Eigen::Vector2d(field->column + column, field->row + row);
+    }
+  }
+  Eigen::VectorXd mean, sigma;
+  process.Predict(points, &mean, &sigma);
+  const Eigen::VectorXf mean_f = mean.cast<float>();
+  const Eigen::VectorXf log_sigma = (sigma_scale * sigma).array().log().matrix().cast<float>();
+  field->mean_dbm.assign(mean_f.begin(), mean_f.end());
+  field->log_sigma.assign(log_sigma.begin(), log_sigma.end());
+  field->background_mean_dbm = static_cast<float>(process.far_mean_dbm());
+  field->background_log_sigma = static_cast<float>(std::log(sigma_scale * process.far_sigma_db()));
+}
+
+std::vector<Eigen::Vector2d> SweepPlaces(const ScanList& scans) {
+  std::vector<Eigen::Vector2d> places;
+  for (const SurveyScan* scan : scans) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const SurveyReading& reading : scan->readings) sum += reading.position_m.cast<double>();
+    places.push_back(sum / static_cast<double>(scan->readings.size()));
+  }
+  return places;
+}
+
+std::map<std::uint32_t, std::vector<std::size_t>> HeardIn(const ScanList& scans) {
+  std::map<std::uint32_t, std::vector<std::size_t>> heard;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    for (const SurveyReading& reading : scans[i]->readings) {
+      std::vector<std::size_t>& list = heard[reading.transmitter];
+      if (list.empty() || list.back() != i) list.push_back(i);
+    }
+  }
+  return heard;
+}
+
+}  // namespace
+
+std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList& scans,
+                                                                 const TrainerSettings& settings) {
+  std::map<std::uint32_t, std::vector<FieldSample>> readings;
+  for (const SurveyScan* scan : scans) {
+    for (const SurveyReading& reading : scan->readings) {
+      readings[reading.transmitter].push_back(
+          {reading.position_m.cast<double>(), reading.rssi_dbm, scan->walk});
+    }
+  }
+  for (auto& [transmitter, list] : readings) {
+    double spacing_m = settings.sample_spacing_m;
+    std::vector<FieldSample> merged = MergeReadings(list, spacing_m);
+    while (merged.size() > kMaxSamples) {
+      spacing_m *= 1.5;
+      merged = MergeReadings(list, spacing_m);
+      // One sample per walk is as far as merging goes.
+      if (spacing_m > 1e4) break;
+    }
+    list = std::move(merged);
+  }
+  return readings;
+}
+
+FieldModel FitFieldModel(const std::map<std::uint32_t, std::vector<FieldSample>>& samples) {
+  constexpr std::array kLengths{4.0, 6.0, 9.0, 13.0, 19.0, 28.0};
+  constexpr std::array kAmplitudes{5.0, 7.0, 9.0, 12.0};
+  constexpr std::array kNoises{3.0, 4.0, 4.5, 5.0, 6.0, 7.0};
+  FieldModel model;
+  const Selection selection = SelectForFit(samples);
+  if (selection.empty()) return model;
+  double best = LogDensity(selection, model.prior);
+  for (int round = 0; round < 2; ++round) {
+    bool improved = Improve(selection, kNoises, &FieldPrior::noise_db, &model.prior, &best);
+    improved |= Improve(selection, kLengths, &FieldPrior::length_m, &model.prior, &best);
+    improved |= Improve(selection, kAmplitudes, &FieldPrior::amplitude_db, &model.prior, &best);
+    if (!improved) break;
+  }
+  model.sigma_scale = RootMeanSquareLeftOut(selection, model.prior);
+  return model;
+}
+
+FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
+                       const TrainerSettings& settings) {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  if (floor != nullptr) {
+    low = floor->min_corner;
+    high = floor->max_corner;
+  }
+  for (const SurveyPoint& point : path) {
+    if (point.floor != floor_number) continue;
+    low = low.cwiseMin(point.position_m);
+    high = high.cwiseMax(point.position_m);
+  }
+  // Two control points beyond the box on every side, so that all of it lies inside the spline.
+  FieldGrid grid;
+  grid.spacing_m = settings.grid_spacing_m;
+  grid.origin_m = low.array() - 2.0 * grid.spacing_m;
+  const Eigen::Vector2d size = (high - low) / grid.spacing_m;
+  grid.columns = static_cast<int>(std::ceil(size.x())) + 5;
+  grid.rows = static_cast<int>(std::ceil(size.y())) + 5;
+  return grid;
+}
+
+RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
+                  const FieldModel& model, const TrainerSettings& settings) {
+  RadioMap map;
+  map.floor = floor;
+  map.radio = radio;
+  map.grid = grid;
+  const HearingModel hearing(grid, SweepPlaces(scans), settings);
+  const auto heard = HeardIn(scans);
+  float min_log_sigma = std::numeric_limits<float>::infinity();
+  for (const auto& [transmitter, samples] : CollectSamples(scans, settings)) {
+    RadioMap::TransmitterField field;
+    field.transmitter = transmitter;
+    SetRectangle(grid, samples, settings.margin_m, &field);
+    FillSignal(grid, FieldProcess(samples, model.prior), model.sigma_scale, &field);
+    hearing.Fill(heard.at(transmitter), &field);
+    for (const float log_sigma : field.log_sigma)
+      min_log_sigma = std::min(min_log_sigma, log_sigma);
+    min_log_sigma = std::min(min_log_sigma, field.background_log_sigma);
+    map.fields.push_back(std::move(field));
+  }
+  map.sigma_min_db = std::exp(static_cast<double>(min_log_sigma));
+  map.silence_nats = SilenceField(grid, map.fields);
+  return map;
+}
+
+}  // namespace walkgraph

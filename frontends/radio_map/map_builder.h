@@ -1,0 +1,44 @@
+#ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_BUILDER_H_
+#define WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_BUILDER_H_
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "frontends/radio_map/gaussian_process.h"
+#include "frontends/radio_map/radio_map.h"
+#include "frontends/radio_map/site.h"
+#include "frontends/radio_map/trainer.h"
+
+namespace walkgraph {
+
+// The survey scans of one radio on one floor, in a fixed order.
+using ScanList = std::vector<const SurveyScan*>;
+
+// What the fields of one radio on one floor have in common.
+struct FieldModel {
+  FieldPrior prior;
+  double sigma_scale = 1;  // left-out residuals over their predicted sigma, root mean square
+};
+
+// The samples that each transmitter's field is trained on.
+std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList& scans,
+                                                                 const TrainerSettings& settings);
+
+// Length scale, amplitude and noise by coordinate ascent of the predictive density of left-out
+// walks, on a fixed ladder of values and an even selection of transmitters; then the scale that
+// makes those residuals honest. The default prior where fewer than two walks heard anything in
+// common.
+FieldModel FitFieldModel(const std::map<std::uint32_t, std::vector<FieldSample>>& samples);
+
+// The grid that covers a floor's bounding box and everything in `path`.
+FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
+                       const TrainerSettings& settings);
+
+// The map without its calibration (n_eff and map_error_sigma_m stay 0).
+RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
+                  const FieldModel& model, const TrainerSettings& settings);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_BUILDER_H_
