@@ -1,11 +1,11 @@
-# walkgraph_library(NAME DIRECTORIES dir... [DEPENDS target...])
+# walkgraph_library(NAME DIRECTORIES dir... [DEPENDS target...] [PRIVATE_DEPENDS target...])
 #
 # One library from the *.cc and *.h directly in the given directories (relative to the top of the
 # repository). Headers are included by their path from the top ("data/recording.h"), but the top is on
 # nobody's include path: every library publishes links to its own headers, so that an include compiles
 # only where the link target is there too. A library without *.cc is an interface.
 function(walkgraph_library name)
-  cmake_parse_arguments(ARG "" "" "DIRECTORIES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DIRECTORIES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(include_root ${PROJECT_BINARY_DIR}/include/${name})
   set(sources "")
   set(headers "")
@@ -23,7 +23,7 @@ function(walkgraph_library name)
   if(sources)
     add_library(${name} STATIC ${sources} ${headers})
     target_include_directories(${name} PUBLIC ${include_root})
-    target_link_libraries(${name} PUBLIC ${ARG_DEPENDS})
+    target_link_libraries(${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
   else()
     add_library(${name} INTERFACE)
     target_include_directories(${name} INTERFACE ${include_root})
