@@ -9,8 +9,8 @@ namespace walkgraph {
 // One factor linearised: residual(x + d) = residual + jacobian d, already whitened and, under a
 // robust loss, scaled by its converged weight.
 struct LinearFactor {
-  std::vector<int> blocks;    // indices of the blocks it touches, each once
-  Eigen::MatrixXd jacobian;   // rows x sum of their sizes, columns in the order of `blocks`
+  std::vector<int> blocks;   // indices of the blocks it touches, each once
+  Eigen::MatrixXd jacobian;  // rows x sum of their sizes, columns in the order of `blocks`
   Eigen::VectorXd residual;
 };
 
