@@ -46,9 +46,9 @@ struct Building {
   const Floor* FindFloor(int number) const;
 };
 
-// Waypoints in metres of the building frame. WGS84 truth goes through the local tangent plane at the
-// building's origin (error under 1 mm within 1 km).
-// Throws std::invalid_argument where the truth is WGS84 and the building has no origin.
+// Waypoints in metres of the building frame. WGS84 truth goes through the local tangent plane at
+// the building's origin (error under 1 mm within 1 km). Throws std::invalid_argument where the
+// truth is WGS84 and the building has no origin.
 Truth ToBuildingFrame(const Truth& truth, const Building& building);
 
 // Metres east/north of the origin, turned into the building frame, for a WGS84 point in degrees.

@@ -12,8 +12,8 @@
 
 namespace walkgraph {
 
-// A walk as read: what was recorded, what is true (no waypoints where nobody surveyed), and what the
-// reader met on the way.
+// A walk as read: what was recorded, what is true (no waypoints where nobody surveyed), and what
+// the reader met on the way.
 struct Walk {
   Recording recording;
   Truth truth;
@@ -23,9 +23,9 @@ struct Walk {
 // A walk that has been found but not read.
 struct WalkFile {
   std::string path;
-  std::string format;  // "ilc20", "getsensordata", "csv"
-  std::string id;      // path relative to the dataset, without extension, '/' as "__"
-  std::string trial;   // group of the split by trial; the id where the format has no trials
+  std::string format;        // "ilc20", "getsensordata", "csv"
+  std::string id;            // path relative to the dataset, without extension, '/' as "__"
+  std::string trial;         // group of the split by trial; the id where the format has no trials
   std::optional<int> floor;  // known from the layout (an ilc20 floor folder)
 };
 
@@ -33,7 +33,8 @@ struct WalkFile {
 struct Dataset {
   std::string path;
   Building building;
-  std::vector<WalkFile> walks;  // by id
+  std::vector<WalkFile> walks;            // by id
+  std::vector<std::string> unrecognised;  // text files that are no recording of a known format
 };
 
 // Finds the walks and the building under `path` (for ilc20 a site or one of its floors).
@@ -44,8 +45,8 @@ Dataset OpenDataset(const std::string& path);
 // Throws InputError where the file is missing or of no known format.
 WalkFile IdentifyWalk(const std::string& path);
 
-// Reads a recording of any supported format. Broken lines are counted, not thrown; throws InputError
-// where the file cannot be read at all or is of no known format.
+// Reads a recording of any supported format. Broken lines are counted, not thrown; throws
+// InputError where the file cannot be read at all or is of no known format.
 Walk ReadWalk(const WalkFile& file);
 
 }  // namespace walkgraph

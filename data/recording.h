@@ -43,7 +43,7 @@ struct Transmitter {
 // once is the frontend's work.
 struct RadioRow {
   TimeNs printed_ns = 0;  // when the recorder wrote it: rows of one scan share it
-  TimeNs heard_ns = 0;    // when the phone last heard the transmitter; printed_ns where not recorded
+  TimeNs heard_ns = 0;  // when the phone last heard the transmitter; printed_ns where not recorded
   std::uint32_t transmitter = 0;  // index into Recording::transmitters
   float rssi_dbm = 0;
 };
@@ -51,15 +51,15 @@ struct RadioRow {
 // The sensor streams of one walk and nothing else: no truth, no building. Device axes are Android's
 // (x right, y up along the screen, z out of it). Readers live in data/formats/.
 struct Recording {
-  std::string id;      // path relative to the dataset, without extension, '/' as "__"
-  std::string device;  // phone model, empty where unknown
+  std::string id;       // path relative to the dataset, without extension, '/' as "__"
+  std::string device;   // phone model, empty where unknown
   TimeNs begin_ns = 0;  // first sample of any stream or radio row
   TimeNs end_ns = 0;    // last sample of any stream or radio row
 
-  Stream<Eigen::Vector3d> accelerometer_mps2;   // specific force, device axes
-  Stream<Eigen::Vector3d> gyroscope_radps;      // device axes, as calibrated by the phone
-  Stream<Eigen::Vector3d> magnetometer_ut;      // microtesla, device axes, as calibrated by the phone
-  Stream<Eigen::Quaterniond> rotation_vector;   // device to east-north-up (magnetic north)
+  Stream<Eigen::Vector3d> accelerometer_mps2;  // specific force, device axes
+  Stream<Eigen::Vector3d> gyroscope_radps;     // device axes, as calibrated by the phone
+  Stream<Eigen::Vector3d> magnetometer_ut;  // microtesla, device axes, as calibrated by the phone
+  Stream<Eigen::Quaterniond> rotation_vector;  // device to east-north-up (magnetic north)
   Stream<double> pressure_hpa;
 
   std::vector<Transmitter> transmitters;  // each once

@@ -15,8 +15,8 @@ struct PoseEstimate {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // building frame, z up
   int floor = 0;
   double heading_rad = 0;  // of walking, counter-clockwise from +x, unwrapped along the trajectory
-  Eigen::Matrix2d covariance_xy_m2 = Eigen::Matrix2d::Constant(
-      std::numeric_limits<double>::quiet_NaN());
+  Eigen::Matrix2d covariance_xy_m2 =
+      Eigen::Matrix2d::Constant(std::numeric_limits<double>::quiet_NaN());
   double variance_z_m2 = std::numeric_limits<double>::quiet_NaN();
   double variance_heading_rad2 = std::numeric_limits<double>::quiet_NaN();
   int modes = 1;  // competing hypotheses that this row's covariance mixes
@@ -28,8 +28,8 @@ struct Trajectory {
 
   bool empty() const { return poses.empty(); }
 
-  // Position, heading and covariance linear in time between the bracketing poses; floor and modes of
-  // the nearer one; clamped at the ends. Throws std::logic_error on an empty trajectory.
+  // Position, heading and covariance linear in time between the bracketing poses; floor and modes
+  // of the nearer one; clamped at the ends. Throws std::logic_error on an empty trajectory.
   PoseEstimate At(TimeNs time_ns) const;
 };
 

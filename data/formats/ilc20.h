@@ -1,0 +1,38 @@
+#ifndef WALKGRAPH_DATA_FORMATS_ILC20_H_
+#define WALKGRAPH_DATA_FORMATS_ILC20_H_
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "data/building.h"
+#include "data/dataset.h"
+
+// The recordings of the Indoor Location Competition 2.0 (Microsoft Research and XYZ10, 2021;
+// github.com/location-competition/indoor-location-competition-20). A site holds floors, a floor
+// holds floor_info.json, geojson_map.json, floor_image.png and path_data_files/*.txt. Every floor
+// has its own coordinates: metres on its plan, which is north up.
+
+namespace walkgraph {
+
+// Whether a file that begins like this is an ilc20 recording.
+bool LooksLikeIlc20(std::string_view beginning);
+
+// A recording, given the whole text. The floor of its waypoints is `floor`, 0 where that is
+// unknown. Never throws on content: what is broken is counted in the report.
+Walk ReadIlc20(std::string_view text, std::optional<int> floor);
+
+// "B2" is -2, "F1" and "L1" are 0, "F3" and "3F" are 2; nullopt where the name says no number.
+std::optional<int> Ilc20FloorNumber(std::string_view floor_name);
+
+// Whether a folder is a floor of a site.
+bool IsIlc20Floor(const std::string& folder);
+
+// One floor from floor_info.json and geojson_map.json: the first feature is the outline, the others
+// are obstacles. The plan's width and height are those of the outline's bounding box, so that box
+// is mapped to (0, 0)-(width, height). Throws InputError on missing or malformed files.
+Floor ReadIlc20Floor(const std::string& folder);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_DATA_FORMATS_ILC20_H_
