@@ -14,8 +14,15 @@ class InputError : public std::runtime_error {
   // `line` counts from 1; 0 where a line makes no sense.
   InputError(const std::string& file, std::int64_t line, const std::string& what,
              const std::string& expected)
-      : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what +
-                           ", expected " + expected) {}
+      : std::runtime_error(Message(file, line, what, expected)) {}
+
+ private:
+  static std::string Message(const std::string& file, std::int64_t line, const std::string& what,
+                             const std::string& expected) {
+    std::string message = file;
+    if (line > 0) message.append(":").append(std::to_string(line));
+    return message.append(": ").append(what).append(", expected ").append(expected);
+  }
 };
 
 }  // namespace walkgraph
