@@ -1,10 +1,10 @@
 #ifndef WALKGRAPH_SOLVERS_BASELINES_DEAD_RECKONING_H_
 #define WALKGRAPH_SOLVERS_BASELINES_DEAD_RECKONING_H_
 
-#include <Eigen/Core>
 #include <string_view>
 #include <vector>
 
+#include "factors/dead_reckoning.h"
 #include "factors/settings.h"
 #include "solvers/baselines/description.h"
 #include "solvers/baselines/fixes.h"
@@ -22,20 +22,6 @@ void Visit(Visitor& v, DeadReckoningSettings& s) {
   v.Field("start_scans", s.start_scans,
           "first WKNN fixes, each taken back along the steps, whose mean is the start");
 }
-
-// Displacement since the first step: each step goes its length times `step_scale` in the walking
-// direction at its middle, at constant speed between its begin and end.
-class StepPath {
- public:
-  // `heading_rad` is the walking direction in the building frame at the middle of each step.
-  StepPath(const std::vector<StepEvidence>& steps, const std::vector<double>& heading_rad,
-           double step_scale);
-  Eigen::Vector2d At(TimeNs time_ns) const;
-
- private:
-  const std::vector<StepEvidence>& steps_;
-  std::vector<Eigen::Vector2d> before_;  // displacement at each step's begin, and at the end
-};
 
 inline constexpr MethodDescription kDeadReckoningDescription{
     "pdr", "steps in the walking direction from a start, no correction on the way",
@@ -56,8 +42,8 @@ class DeadReckoningEstimator : public Estimator {
 
  private:
   // Where the path is known to pass, in order of time; one of them at least.
-  std::vector<PositionFix> Starts(const Site& site, const Evidence& evidence, const StepPath& path,
-                                  EstimateResult* result) const;
+  std::vector<PositionFix> Starts(const Site& site, const Evidence& evidence,
+                                  const DeadReckonedPath& path, EstimateResult* result) const;
 
   DeadReckoningSettings settings_;
   WknnSettings wknn_;

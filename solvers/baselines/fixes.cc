@@ -10,10 +10,6 @@
 namespace walkgraph {
 namespace {
 
-double MeanOffset(const HeadingOffsetSettings& settings) {
-  return settings.mode == StateMode::kAbsent ? 0.0 : settings.prior_mean_rad;
-}
-
 // The floor with the longest survey path; else the first of the building; else 0.
 int MainFloor(const Site& site) {
   std::map<int, int> points;
@@ -44,15 +40,10 @@ double DirectionOfTravel(const std::vector<PositionFix>& fixes, std::size_t afte
 
 }  // namespace
 
-WalkingDirection::WalkingDirection(const Site& site, const Evidence& evidence,
-                                   const HeadingOffsetSettings& settings)
-    : evidence_(evidence), offset_rad_(site.HeadingToBuilding() + MeanOffset(settings)) {}
-
-double WalkingDirection::At(TimeNs time_ns) const {
-  return Interpolate(evidence_.absolute_heading_rad, time_ns) + offset_rad_;
-}
-
 std::vector<TimeNs> NodeTimes(const Evidence& evidence, std::vector<TimeNs> more) {
+  std::erase_if(more, [&evidence](TimeNs time) {
+    return time < evidence.begin_ns || time > evidence.end_ns;
+  });
   for (TimeNs t = evidence.begin_ns; t < evidence.end_ns; t += kNsPerSecond) more.push_back(t);
   more.push_back(evidence.end_ns);
   std::sort(more.begin(), more.end());
@@ -61,7 +52,7 @@ std::vector<TimeNs> NodeTimes(const Evidence& evidence, std::vector<TimeNs> more
 }
 
 Trajectory TrajectoryFromFixes(const Site& site, const Evidence& evidence,
-                               const WalkingDirection& direction,
+                               const DeadReckonedPath& path,
                                const std::vector<PositionFix>& fixes) {
   std::vector<TimeNs> fix_times;
   fix_times.reserve(fixes.size());
@@ -82,8 +73,8 @@ Trajectory TrajectoryFromFixes(const Site& site, const Evidence& evidence,
     pose.position_m.head<2>() = a.position_m + fraction * (b.position_m - a.position_m);
     pose.position_m.z() = FloorHeight(site, pose.floor);
     pose.covariance_xy_m2 = a.covariance_m2 + fraction * (b.covariance_m2 - a.covariance_m2);
-    if (direction.available()) {
-      heading = direction.At(time);
+    if (path.source == HeadingSource::kAbsolute) {
+      heading = path.HeadingAt(time);
     } else {
       heading += WrapAngle(DirectionOfTravel(fixes, after) - heading);
     }
@@ -118,13 +109,13 @@ PositionFix SurveyCentroid(const Site& site, std::optional<int> floor) {
 }
 
 EstimateResult UnlocatedResult(const Site& site, const Evidence& evidence,
-                               const WalkingDirection& direction, const std::string& message) {
+                               const DeadReckonedPath& path, const std::string& message) {
   EstimateResult result;
   result.status = EstimateStatus::kUnobservable;
   result.messages.push_back(message + ": placed at the centroid of the survey");
   PositionFix fix = SurveyCentroid(site, evidence.floor);
   fix.time_ns = evidence.begin_ns;
-  result.trajectory = TrajectoryFromFixes(site, evidence, direction, {fix});
+  result.trajectory = TrajectoryFromFixes(site, evidence, path, {fix});
   return result;
 }
 

@@ -9,7 +9,7 @@
 
 #include "data/time.h"
 #include "data/trajectory.h"
-#include "factors/settings.h"
+#include "factors/dead_reckoning.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
 #include "solvers/estimator.h"
@@ -25,22 +25,7 @@ struct PositionFix {
       Eigen::Matrix2d::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
-// Walking direction in the building frame for evidence with absolute heading: the phone's heading,
-// turned into the frame, plus the calibrated mean of the heading offset (0 where that is absent).
-class WalkingDirection {
- public:
-  WalkingDirection(const Site& site, const Evidence& evidence,
-                   const HeadingOffsetSettings& settings);
-  bool available() const { return !evidence_.absolute_heading_rad.empty(); }
-  // Radians, unwrapped. Precondition: available().
-  double At(TimeNs time_ns) const;
-
- private:
-  const Evidence& evidence_;
-  double offset_rad_;
-};
-
-// Begin, every whole second after it, end, and the given times: sorted, each once.
+// Begin, every whole second after it, end, and the given times that lie within: sorted, each once.
 std::vector<TimeNs> NodeTimes(const Evidence& evidence, std::vector<TimeNs> more);
 
 // Poses at NodeTimes: position and covariance linear in time between fixes and clamped outside,
@@ -48,8 +33,7 @@ std::vector<TimeNs> NodeTimes(const Evidence& evidence, std::vector<TimeNs> more
 // without it the direction from fix to fix. `fixes` are in order of time (of equal times the first
 // counts) and not empty.
 Trajectory TrajectoryFromFixes(const Site& site, const Evidence& evidence,
-                               const WalkingDirection& direction,
-                               const std::vector<PositionFix>& fixes);
+                               const DeadReckonedPath& path, const std::vector<PositionFix>& fixes);
 
 // Where somebody is of whom nothing is known: the mean and covariance of the survey's path on the
 // floor (without a floor, on the floor with the longest path), or of the floor's bounding box where
@@ -58,7 +42,7 @@ PositionFix SurveyCentroid(const Site& site, std::optional<int> floor);
 
 // The result for a walk that cannot be placed: the centroid throughout, status unobservable.
 EstimateResult UnlocatedResult(const Site& site, const Evidence& evidence,
-                               const WalkingDirection& direction, const std::string& message);
+                               const DeadReckonedPath& path, const std::string& message);
 
 double FloorHeight(const Site& site, int floor);  // 0 for a floor that the building does not name
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <map>
 
+#include "factors/dead_reckoning.h"
+
 namespace walkgraph {
 namespace {
 
@@ -61,13 +63,13 @@ int WalkFloor(const Site& site, const Evidence& evidence, const WknnSettings& se
 }
 
 EstimateResult WknnEstimator::Estimate(const Site& site, const Evidence& evidence) const {
-  const WalkingDirection direction(site, evidence, heading_offset_);
+  const DeadReckonedPath path = DeadReckon(site, evidence, factors_);
   const std::vector<PositionFix> fixes = WknnFixes(site, evidence, settings_);
   if (fixes.empty()) {
-    return UnlocatedResult(site, evidence, direction, "no Wi-Fi scan that the survey knows");
+    return UnlocatedResult(site, evidence, path, "no Wi-Fi scan that the survey knows");
   }
   EstimateResult result;
-  result.trajectory = TrajectoryFromFixes(site, evidence, direction, fixes);
+  result.trajectory = TrajectoryFromFixes(site, evidence, path, fixes);
   return result;
 }
 

@@ -53,17 +53,14 @@ inline constexpr MethodDescription kWknnDescription{
 // `wknn`, and with one neighbour `nn`.
 class WknnEstimator : public Estimator {
  public:
-  WknnEstimator(std::string_view name, const WknnSettings& settings,
-                const HeadingOffsetSettings& heading_offset)
-      : name_(name), settings_(settings), heading_offset_(heading_offset) {}
-  static WknnEstimator NearestNeighbour(WknnSettings settings,
-                                        const HeadingOffsetSettings& heading_offset) {
+  WknnEstimator(std::string_view name, const WknnSettings& settings, const FactorSettings& factors)
+      : name_(name), settings_(settings), factors_(factors) {}
+  static WknnEstimator NearestNeighbour(WknnSettings settings, const FactorSettings& factors) {
     settings.k = 1;
-    return {kNearestNeighbourDescription.name, settings, heading_offset};
+    return {kNearestNeighbourDescription.name, settings, factors};
   }
-  static WknnEstimator Wknn(const WknnSettings& settings,
-                            const HeadingOffsetSettings& heading_offset) {
-    return {kWknnDescription.name, settings, heading_offset};
+  static WknnEstimator Wknn(const WknnSettings& settings, const FactorSettings& factors) {
+    return {kWknnDescription.name, settings, factors};
   }
 
   std::string_view name() const override { return name_; }
@@ -72,7 +69,7 @@ class WknnEstimator : public Estimator {
  private:
   std::string_view name_;  // of a description with static storage
   WknnSettings settings_;
-  HeadingOffsetSettings heading_offset_;
+  FactorSettings factors_;
 };
 
 }  // namespace walkgraph
