@@ -1,0 +1,107 @@
+#ifndef WALKGRAPH_FRONTENDS_SETTINGS_H_
+#define WALKGRAPH_FRONTENDS_SETTINGS_H_
+
+namespace walkgraph {
+
+// Parameters of the frontends. Like factors/settings.h, one Visit() per struct names every key
+// once: a visitor has `Field(key, value&, documentation)` and `Group(key, struct&)`.
+
+// Complementary filter of the direction of gravity.
+struct GravityFilterSettings {
+  // Against the phones' own fusion (rotation vector) 1-4 s agree best, to 0.8-1.5 deg rms, on the
+  // ilc20 and ipin2023 recordings; shorter follows the gait, longer drifts with the gyroscope.
+  double time_constant_s = 2.0;
+  double start_window_s = 1.0;  // mean acceleration over this span starts the filter
+};
+
+// Phone waved or turned over by the hand, seen as spread of the direction of gravity.
+struct HandlingSettings {
+  double window_s = 2.0;
+  // Walking with the phone in view spreads 9 deg in the 99th percentile of ilc20 and ipin2023, the
+  // waving at the start of ipin2023 recordings 24 deg in the median.
+  double tilt_spread_rad = 0.26;
+  double merge_gap_s = 2.0;  // handling episodes closer than this are one
+};
+
+// Peaks of vertical acceleration between zero crossings.
+struct StepDetectorSettings {
+  double smoothing_s = 0.2;  // two centred means of this width: zero at 5 Hz, half power at 1.6 Hz
+  double detrend_s = 2.0;    // removes what is slower than a step
+  double min_swing_mps2 = 0.6;  // smallest peak to valley, m/s^2: a standing person stays below
+  double swing_ratio = 0.4;     // of the swing of a sine with the local rms
+  double rms_window_s = 3.0;
+  double min_interval_s = 0.3;  // no walker takes more than 3.3 steps a second
+  double max_interval_s = 1.5;  // a step with no neighbour closer than this is not walking
+  double weinberg_k = 0.45;     // m / (m/s^2)^(1/4)
+};
+
+// Integration of the gyroscope about the vertical.
+struct YawSettings {
+  double max_gap_s = 0.25;  // longer breaks are bridged and counted
+};
+
+// Absolute heading and its own quality.
+struct HeadingQualitySettings {
+  double window_s = 5.0;  // disagreement with the gyroscope is measured over this span
+};
+
+struct PressureSettings {
+  double constant_s = 10.0;  // a sensor that repeats one value for longer than this is stuck
+};
+
+struct FrontendSettings {
+  GravityFilterSettings gravity;
+  HandlingSettings handling;
+  StepDetectorSettings steps;
+  YawSettings yaw;
+  HeadingQualitySettings heading;
+  PressureSettings pressure;
+};
+
+template <typename Visitor>
+void Visit(Visitor& v, GravityFilterSettings& s) {
+  v.Field("time_constant_s", s.time_constant_s, "pull of the accelerometer on gravity, s");
+  v.Field("start_window_s", s.start_window_s, "mean acceleration that starts the filter, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, HandlingSettings& s) {
+  v.Field("window_s", s.window_s, "span over which the spread of gravity is taken, s");
+  v.Field("tilt_spread_rad", s.tilt_spread_rad, "spread of gravity that means handling, rad");
+  v.Field("merge_gap_s", s.merge_gap_s, "handling episodes closer than this are one, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, StepDetectorSettings& s) {
+  v.Field("smoothing_s", s.smoothing_s, "width of the two smoothing means, s");
+  v.Field("detrend_s", s.detrend_s, "width of the mean that is taken off, s");
+  v.Field("min_swing_mps2", s.min_swing_mps2, "smallest peak to valley of a step, m/s^2");
+  v.Field("swing_ratio", s.swing_ratio, "smallest peak to valley against the local swing");
+  v.Field("rms_window_s", s.rms_window_s, "span of the local swing, s");
+  v.Field("min_interval_s", s.min_interval_s, "shortest time between two steps, s");
+  v.Field("max_interval_s", s.max_interval_s, "longest time between two steps of a walk, s");
+  v.Field("weinberg_k", s.weinberg_k, "step length over the fourth root of its swing");
+}
+template <typename Visitor>
+void Visit(Visitor& v, YawSettings& s) {
+  v.Field("max_gap_s", s.max_gap_s, "longer breaks of the gyroscope are counted, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, HeadingQualitySettings& s) {
+  v.Field("window_s", s.window_s, "span of the comparison with the gyroscope, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, PressureSettings& s) {
+  v.Field("constant_s", s.constant_s, "one value for longer than this is a stuck sensor, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, FrontendSettings& s) {
+  v.Group("gravity", s.gravity);
+  v.Group("handling", s.handling);
+  v.Group("steps", s.steps);
+  v.Group("yaw", s.yaw);
+  v.Group("heading", s.heading);
+  v.Group("pressure", s.pressure);
+}
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FRONTENDS_SETTINGS_H_
