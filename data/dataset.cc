@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "data/formats/csv.h"
+#include "data/formats/getsensordata.h"
 #include "data/formats/ilc20.h"
 #include "data/formats/text_input.h"
 #include "data/input_error.h"
@@ -13,22 +15,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kBuildingFile[] = "building.json";
+constexpr char kFloorplansFile[] = "floorplans.cal";
+constexpr char kKnownFormats[] = "an ilc20 or GetSensorData text file, or a folder of CSV files";
+
 // Enough for the longest known header (GetSensorData, 5 KB) and the first records behind it.
 constexpr std::size_t kBeginningBytes = 16 * 1024;
 
-// The name of the format, empty where none fits.
-std::string RecogniseFormat(const std::string& path) {
-  const std::string beginning = ReadFileBeginning(path, kBeginningBytes);
+// The name of the format of a file or folder, empty where none fits.
+std::string RecogniseFormat(const fs::path& path) {
+  if (fs::is_directory(path)) return IsCsvWalk(path.string()) ? "csv" : "";
+  const std::string beginning = ReadFileBeginning(path.string(), kBeginningBytes);
   if (LooksLikeIlc20(beginning)) return "ilc20";
+  if (LooksLikeGetSensorData(beginning)) return "getsensordata";
   return "";
 }
 
-std::string JoinedId(const fs::path& relative) {
+// The path without a trailing slash, so that it has a name.
+fs::path Named(const std::string& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+// `path` without extension relative to `root`, '/' as "__"; the name of the root itself for itself.
+std::string WalkId(const fs::path& path, const fs::path& root) {
+  if (path == root) return root.stem().string();
+  const fs::path relative = path.lexically_relative(root);
   std::string id;
-  for (const fs::path& part : relative.parent_path()) {
-    if (part != ".") id += part.string() + "__";
-  }
-  return id + relative.stem().string();
+  for (const fs::path& part : relative.parent_path()) id += part.string() + "__";
+  return id + (fs::is_directory(path) ? path.filename() : path.stem()).string();
 }
 
 // The floor folder that holds an ilc20 recording says on which floor it was walked.
@@ -37,48 +52,71 @@ std::optional<int> FloorFromLayout(const fs::path& recording) {
   return Ilc20FloorNumber(folder.filename().string());
 }
 
-std::optional<WalkFile> FindWalk(const fs::path& path, const std::string& id) {
+std::optional<WalkFile> FindWalk(const fs::path& path, const fs::path& root) {
   WalkFile walk;
   walk.path = path.string();
-  walk.format = RecogniseFormat(walk.path);
-  walk.id = id;
-  walk.trial = id;
+  walk.format = RecogniseFormat(path);
   if (walk.format.empty()) return std::nullopt;
-  walk.floor = FloorFromLayout(path);
+  walk.id = WalkId(path, root);
+  walk.trial = walk.id;
+  if (walk.format == "ilc20") walk.floor = FloorFromLayout(path);
+  if (walk.format == "getsensordata") walk.trial = GetSensorDataTrial(walk.id);
+  if (walk.format == "csv") {
+    const std::string trial = ReadCsvTrial(walk.path);
+    if (!trial.empty()) walk.trial = trial;
+  }
   return walk;
 }
 
-std::vector<fs::path> FilesBelow(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-// The folder without a trailing slash, so that it has a name.
-fs::path NamedFolder(const std::string& path) {
-  fs::path folder = fs::absolute(path).lexically_normal();
-  return folder.has_filename() ? folder : folder.parent_path();
-}
-
-// The floors of a site, of the floor itself, or of the floor around its path_data_files.
-Building ReadIlc20Building(const fs::path& folder) {
-  Building building;
-  building.name = folder.filename().string();
-  for (const fs::path& candidate : {folder, folder.parent_path()}) {
-    if (!IsIlc20Floor(candidate.string())) continue;
-    building.floors.push_back(ReadIlc20Floor(candidate.string()));
-    return building;
-  }
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.is_directory() && IsIlc20Floor(entry.path().string())) {
-      building.floors.push_back(ReadIlc20Floor(entry.path().string()));
+void FindWalks(const fs::path& root, Dataset* dataset) {
+  if (auto walk = FindWalk(root, root)) dataset->walks.push_back(*std::move(walk));
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    const bool text = entry.is_regular_file() && entry.path().extension() == ".txt";
+    if (!text && !entry.is_directory()) continue;
+    if (auto walk = FindWalk(entry.path(), root)) {
+      dataset->walks.push_back(*std::move(walk));
+    } else if (text) {
+      dataset->unrecognised.push_back(entry.path().string());
     }
   }
-  std::sort(building.floors.begin(), building.floors.end(),
+  std::sort(dataset->walks.begin(), dataset->walks.end(),
+            [](const WalkFile& a, const WalkFile& b) { return a.id < b.id; });
+  std::sort(dataset->unrecognised.begin(), dataset->unrecognised.end());
+}
+
+// The floors of the site below `folder`; none where it is no site.
+std::vector<Floor> ReadIlc20Site(const fs::path& folder) {
+  std::vector<Floor> floors;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory() && IsIlc20Floor(entry.path().string())) {
+      floors.push_back(ReadIlc20Floor(entry.path().string()));
+    }
+  }
+  std::sort(floors.begin(), floors.end(),
             [](const Floor& a, const Floor& b) { return a.number < b.number; });
+  return floors;
+}
+
+// What the nearest folder, from the dataset upwards, knows about the building; a description in
+// walkgraph's own format comes first. Without any the building has no floors.
+Building FindBuilding(const fs::path& root) {
+  Building building;
+  for (const fs::path& folder : {root, root.parent_path()}) {
+    if (fs::is_regular_file(folder / kBuildingFile)) {
+      building = ReadBuildingJson((folder / kBuildingFile).string());
+    } else if (fs::is_regular_file(folder / kFloorplansFile)) {
+      building = ReadFloorplansCal((folder / kFloorplansFile).string());
+    } else if (IsIlc20Floor(folder.string())) {
+      building.floors = {ReadIlc20Floor(folder.string())};
+    } else if (folder == root) {
+      building.floors = ReadIlc20Site(folder);
+    }
+    if (!building.floors.empty()) {
+      if (building.name.empty()) building.name = folder.filename().string();
+      return building;
+    }
+  }
+  building.name = root.filename().string();
   return building;
 }
 
@@ -90,37 +128,37 @@ Dataset OpenDataset(const std::string& path) {
   }
   Dataset dataset;
   dataset.path = path;
-  const fs::path root = NamedFolder(path);
-  for (const fs::path& file : FilesBelow(root)) {
-    if (file.extension() != ".txt") continue;
-    if (auto walk = FindWalk(file, JoinedId(file.lexically_relative(root)))) {
-      dataset.walks.push_back(*std::move(walk));
-    } else {
-      dataset.unrecognised.push_back(file.string());
-    }
+  const fs::path root = Named(path);
+  try {
+    FindWalks(root, &dataset);
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(path, 0, error.what(), "a folder that can be listed");
   }
-  if (dataset.walks.empty()) {
-    throw InputError(path, 0, "no recording of a known format", "ilc20");
-  }
-  std::sort(dataset.walks.begin(), dataset.walks.end(),
-            [](const WalkFile& a, const WalkFile& b) { return a.id < b.id; });
-  dataset.building = ReadIlc20Building(root);
+  if (dataset.walks.empty()) throw InputError(path, 0, "no recording found", kKnownFormats);
+  dataset.building = FindBuilding(root);
   return dataset;
 }
 
 WalkFile IdentifyWalk(const std::string& path) {
-  if (!fs::exists(path)) throw InputError(path, 0, "no such file", "a recording");
-  auto walk = FindWalk(path, fs::path(path).stem().string());
-  if (!walk) throw InputError(path, 0, "not a recording of a known format", "ilc20");
+  if (!fs::exists(path)) throw InputError(path, 0, "no such file or folder", "a recording");
+  const fs::path named = Named(path);
+  auto walk = FindWalk(named, named);
+  if (!walk) throw InputError(path, 0, "no recording of a known format", kKnownFormats);
+  walk->path = path;
   return *std::move(walk);
 }
 
 Walk ReadWalk(const WalkFile& file) {
-  const std::string text = ReadFileBytes(file.path);
-  if (file.format != "ilc20") {
-    throw InputError(file.path, 0, "unknown format '" + file.format + "'", "ilc20");
+  Walk walk;
+  if (file.format == "ilc20") {
+    walk = ReadIlc20(ReadFileBytes(file.path), file.floor);
+  } else if (file.format == "getsensordata") {
+    walk = ReadGetSensorData(ReadFileBytes(file.path));
+  } else if (file.format == "csv") {
+    walk = ReadCsvWalk(file.path);
+  } else {
+    throw InputError(file.path, 0, "unknown format '" + file.format + "'", kKnownFormats);
   }
-  Walk walk = ReadIlc20(text, file.floor);
   walk.recording.id = file.id;
   return walk;
 }

@@ -24,6 +24,7 @@ constexpr double kSmallestRssiDbm = -126.0;
 constexpr double kLargestRssiDbm = 20.0;
 // A vector part may exceed one by rounding of its printed digits only.
 constexpr double kLargestRotationVectorNorm = 1.001;
+constexpr double kQuaternionNormTolerance = 0.02;  // two printed decimals per component
 // No recorded walk is that long: a time further off is a broken number.
 constexpr TimeNs kLongestWalkNs = 24LL * 3600 * kNsPerSecond;
 // Streams that both begin and end this much earlier or later than the accelerometer have another
@@ -107,6 +108,19 @@ void RecordingBuilder::AddRotationVector(TimeNs time, const Eigen::Vector3d& xyz
     Eigen::Quaterniond rotation(w, xyz.x(), xyz.y(), xyz.z());
     rotation.normalize();
     recording_.rotation_vector.push_back(time, rotation);
+  }
+}
+
+void RecordingBuilder::AddQuaternion(TimeNs time, const Eigen::Quaterniond& device_to_enu) {
+  const double norm = device_to_enu.norm();
+  if (!std::isfinite(norm)) {
+    ++report_->hazards["non_finite"];
+  } else if (std::abs(norm - 1.0) > kQuaternionNormTolerance) {
+    ++report_->hazards["out_of_range"];
+  } else {
+    const double sign = device_to_enu.w() < 0 ? -1.0 : 1.0;
+    recording_.rotation_vector.push_back(
+        time, Eigen::Quaterniond(device_to_enu.coeffs() * (sign / norm)));
   }
 }
 

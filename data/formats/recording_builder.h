@@ -2,6 +2,7 @@
 #define WALKGRAPH_DATA_FORMATS_RECORDING_BUILDER_H_
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -29,6 +30,8 @@ class RecordingBuilder {
   void AddMagneticField(TimeNs time, const Eigen::Vector3d& ut);
   // Vector part of the unit quaternion from device to east-north-up; w >= 0 follows from the norm.
   void AddRotationVector(TimeNs time, const Eigen::Vector3d& xyz);
+  // The whole quaternion, of either sign; it is normalised.
+  void AddQuaternion(TimeNs time, const Eigen::Quaterniond& device_to_enu);
   void AddPressure(TimeNs time, double hpa);
   // `name` as in Transmitter, any case: it is stored in lower case.
   void AddRadioRow(Radio radio, std::string_view name, TimeNs printed, TimeNs heard,

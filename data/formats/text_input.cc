@@ -32,6 +32,11 @@ std::string ReadFileBeginning(const std::string& path, std::size_t limit) {
   return bytes;
 }
 
+bool ParseNanosecondsNs(std::string_view field, TimeNs* time_ns) {
+  return ParseInt64(field, time_ns) && *time_ns <= kLargestSeconds * kNsPerSecond &&
+         *time_ns >= -kLargestSeconds * kNsPerSecond;
+}
+
 bool ParseMillisecondsNs(std::string_view field, TimeNs* time_ns) {
   std::int64_t ms = 0;
   if (!ParseInt64(field, &ms)) return false;

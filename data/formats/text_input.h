@@ -107,6 +107,9 @@ inline bool ParseInt64(std::string_view field, std::int64_t* value) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
+// A time in nanoseconds. False where it is no integer or too large to leave room for differences.
+bool ParseNanosecondsNs(std::string_view field, TimeNs* time_ns);
+
 // A time in milliseconds, exact. False where it is no integer or does not fit.
 bool ParseMillisecondsNs(std::string_view field, TimeNs* time_ns);
 

@@ -3,10 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
+#include "data/angle.h"
 #include "data/dataset.h"
 
 namespace walkgraph {
@@ -18,10 +24,13 @@ class RealReaders : public testing::Test {
     const char* root = std::getenv("WALKGRAPH_REAL_DATA");
     if (root == nullptr) GTEST_SKIP() << "WALKGRAPH_REAL_DATA is not set";
     root_ = root;
-    if (!std::filesystem::is_directory(Ilc20Site())) GTEST_SKIP() << "no ilc20 under " << root_;
+    for (const std::string& folder : {Ilc20Site(), Ipin2023()}) {
+      if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no folder " << folder;
+    }
   }
 
   std::string Ilc20Site() const { return root_ + "/ilc20/data/site1"; }
+  std::string Ipin2023() const { return root_ + "/ipin2023_t3"; }
 
   std::string root_;
 };
@@ -86,6 +95,87 @@ TEST_F(RealReaders, Ilc20StreamsHaveTheRatesAndSizesOfTheSensors) {
     for (const Eigen::Vector3d& a : recording.accelerometer_mps2.value) sum += a.norm();
     EXPECT_NEAR(sum / static_cast<double>(recording.accelerometer_mps2.size()), 9.8, 0.7);
     for (const RadioRow& row : recording.radio_rows) ASSERT_LE(row.heard_ns, row.printed_ns);
+  }
+}
+
+TEST_F(RealReaders, GroupsTheIpinLogsByTrial) {
+  const Dataset museum = OpenDataset(Ipin2023());
+  EXPECT_EQ(museum.walks.size(), 38U);
+  std::map<std::string, int> repetitions;
+  for (const WalkFile& walk : museum.walks) ++repetitions[walk.trial];
+  EXPECT_EQ(repetitions.size(), 10U);
+  EXPECT_EQ(repetitions.at("Trial51"), 2);
+  EXPECT_EQ(repetitions.at("Trial25"), 4);
+}
+
+// Reference point 9001 stands in the picture at the left edge, 58.7 m left of the centre and 22 m
+// above it: the frame's rotation has the right sense only if the surveyed coordinates land there.
+TEST_F(RealReaders, FloorplansTurnTheRightWay) {
+  const Dataset museum = OpenDataset(Ipin2023());
+  ASSERT_TRUE(museum.building.origin.has_value());
+  const Eigen::Vector2d point =
+      Wgs84ToBuilding(49.4611492539213, 11.1102840572794, *museum.building.origin);
+  EXPECT_NEAR(point.x(), -58.7, 0.5);
+  EXPECT_NEAR(point.y(), 22.0, 0.5);
+  const Floor* middle = museum.building.FindFloor(-1);
+  ASSERT_NE(middle, nullptr);
+  EXPECT_NEAR(middle->image.max_corner.x() - middle->image.min_corner.x(), 132.06, 0.01);
+}
+
+TEST_F(RealReaders, IpinTruthVisitsTheFloorsOfTheBuildingInside) {
+  const Dataset museum = OpenDataset(Ipin2023());
+  for (const WalkFile& file : museum.walks) {
+    const Truth truth = ToBuildingFrame(ReadWalk(file).truth, museum.building);
+    ASSERT_GE(truth.waypoints.size(), 10U) << file.id;
+    std::set<int> floors;
+    for (const Waypoint& waypoint : truth.waypoints) {
+      const Floor* floor = museum.building.FindFloor(waypoint.floor);
+      ASSERT_NE(floor, nullptr);
+      EXPECT_TRUE((waypoint.position.array() > floor->min_corner.array()).all());
+      EXPECT_TRUE((waypoint.position.array() < floor->max_corner.array()).all());
+      floors.insert(waypoint.floor);
+    }
+    EXPECT_EQ(floors.size(), file.trial == "Trial51" ? 3U : 1U) << file.id;
+  }
+}
+
+// The application's stamps jitter by tens of milliseconds, the sensor's own do not.
+TEST_F(RealReaders, IpinSamplesHaveTheSensorsEvenIntervals) {
+  for (const WalkFile& file : OpenDataset(Ipin2023()).walks) {
+    const Walk walk = ReadWalk(file);
+    EXPECT_EQ(walk.report.HazardCount("malformed"), 0) << file.id;
+    EXPECT_EQ(walk.report.HazardCount("heard_after_printed"), 0) << file.id;
+    EXPECT_EQ(walk.report.HazardCount("sensor_clock_jump"), 0) << file.id;
+    const std::vector<TimeNs>& time_ns = walk.recording.gyroscope_radps.time_ns;
+    ASSERT_EQ(static_cast<std::int64_t>(time_ns.size()), walk.report.records.at("GYRO"));
+    std::vector<TimeNs> interval;
+    for (std::size_t i = 1; i < time_ns.size(); ++i)
+      interval.push_back(time_ns[i] - time_ns[i - 1]);
+    std::sort(interval.begin(), interval.end());
+    const TimeNs median = interval[interval.size() / 2];
+    const TimeNs p99 = interval[interval.size() * 99 / 100];
+    EXPECT_GT(interval.front(), 0);
+    EXPECT_LT(p99 - median, 2 * kNsPerMs) << file.id;
+  }
+}
+
+// Between seconds 40 and 60 the phone stands still: there the rotation vector must turn the
+// measured specific force onto the vertical.
+TEST_F(RealReaders, IpinRotationVectorAgreesWithGravity) {
+  for (const WalkFile& file : OpenDataset(Ipin2023()).walks) {
+    const Recording recording = ReadWalk(file).recording;
+    const auto& acceleration = recording.accelerometer_mps2;
+    const auto& rotation = recording.rotation_vector;
+    Eigen::Vector3d up = Eigen::Vector3d::Zero();
+    std::size_t r = 0;
+    for (std::size_t i = 0; i < acceleration.size(); ++i) {
+      const TimeNs time = acceleration.time_ns[i];
+      if (time < 45 * kNsPerSecond || time > 55 * kNsPerSecond) continue;
+      while (r + 1 < rotation.size() && rotation.time_ns[r] < time) ++r;
+      up += rotation.value[r] * acceleration.value[i];
+    }
+    const double tilt_deg = RadiansToDegrees(std::acos(up.normalized().z()));
+    EXPECT_LT(tilt_deg, 3.0) << file.id;
   }
 }
 
