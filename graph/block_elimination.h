@@ -38,17 +38,6 @@ struct BlockElimination {
   int nullity = 0;             // number of dependent pivots
 };
 
-// Throws std::invalid_argument unless sizes are positive, every factor has a Jacobian of the right
-// width and as many residuals as rows, and block indices are in range and unrepeated.
-void CheckShapes(const LinearSystem& system);
-bool IsFinite(const LinearSystem& system);
-
-// First column of each block, and the total at the end: one entry more than blocks.
-std::vector<int> ColumnOffsets(const std::vector<int>& block_sizes);
-
-// Norm of each column of the stacked Jacobian.
-Eigen::VectorXd ColumnNorms(const LinearSystem& system);
-
 // All blocks in an order of little fill (approximate minimum degree on the blocks' graph, to which
 // `pairs` add edges).
 std::vector<int> FillReducingOrder(const LinearSystem& system,

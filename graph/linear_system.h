@@ -2,6 +2,7 @@
 #define WALKGRAPH_GRAPH_LINEAR_SYSTEM_H_
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 namespace walkgraph {
@@ -19,6 +20,20 @@ struct LinearSystem {
   std::vector<int> block_sizes;
   std::vector<LinearFactor> factors;
 };
+
+// Throws std::invalid_argument unless sizes are positive, every factor has a Jacobian of the right
+// width and as many residuals as rows, and block indices are in range and unrepeated.
+void CheckShapes(const LinearSystem& system);
+// Throws std::invalid_argument unless each pair names two different blocks of the system.
+void CheckPairs(const LinearSystem& system, const std::vector<std::pair<int, int>>& pairs);
+
+bool IsFinite(const LinearSystem& system);
+
+// First column of each block, and the total at the end: one entry more than blocks.
+std::vector<int> ColumnOffsets(const std::vector<int>& block_sizes);
+
+// Norm of each column of the stacked Jacobian.
+Eigen::VectorXd ColumnNorms(const LinearSystem& system);
 
 }  // namespace walkgraph
 

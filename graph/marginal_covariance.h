@@ -10,6 +10,8 @@
 
 namespace walkgraph {
 
+struct BlockElimination;
+
 // What is known about one block, or about two blocks stacked.
 struct BlockMarginal {
   // Square, in the units of the block. Where directions are unobservable it is the covariance of
@@ -32,7 +34,7 @@ class MarginalCovariance {
  public:
   // `pairs`: blocks whose joint covariance will be asked for; pairs that share a factor need not be
   // named. Nothing is returned if a Jacobian or residual is not finite. Throws
-  // std::invalid_argument on a malformed system (see CheckShapes).
+  // std::invalid_argument on a malformed system (see CheckShapes) or pair.
   static std::optional<MarginalCovariance> Compute(
       const LinearSystem& system, const std::vector<std::pair<int, int>>& pairs = {});
 
@@ -55,6 +57,9 @@ class MarginalCovariance {
     Eigen::MatrixXd divergence;  // growth of the covariance with their variance; empty if none
   };
   MarginalCovariance() = default;
+  void InvertFronts(const BlockElimination& elimination);
+  void ReadBlocks();
+  int Size(int block) const { return column_offsets_[block + 1] - column_offsets_[block]; }
 
   std::vector<Front> fronts_;  // by block
   std::vector<int> position_;  // in the order of elimination, by block

@@ -50,9 +50,9 @@ inline constexpr int kMaxNamedDirections = 24;
 std::optional<ObservabilityReport> AnalyzeObservability(const LinearSystem& system,
                                                         const std::vector<BlockLabel>& labels);
 
-// One sentence per entry of the report: "position unobservable along (x, y): no factor of type
+// One sentence per entry of the report: "unobservable: position along (x, y); no factor of type
 // fingerprint or position_anchor". `remedies` names per kind the factor types that would fix it;
-// the clause after the colon is left out for kinds without one.
+// the clause after the semicolon is left out where none is named.
 std::vector<std::string> DescribeObservability(
     const ObservabilityReport& report,
     const std::map<std::string, std::vector<std::string>>& remedies);
