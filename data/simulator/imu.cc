@@ -17,7 +17,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 // Weinberg (AN-602, 2002): step length = K * swing^(1/4), here read backwards to get the vertical
 // swing of a step. K differs by a few percent between persons, which is what a step-scale state is
 // for.
-constexpr double kWeinbergK = 0.46;
+constexpr double kWeinbergK = 0.42;
 constexpr double kWeinbergKSigma = 0.02;
 // Forward and sideways acceleration of the trunk against the vertical one (Zijlstra and Hof, Gait
 // and Posture 18, 2003): forward about half, with the steps; sideways a quarter, with the strides.
