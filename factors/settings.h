@@ -6,10 +6,10 @@
 
 namespace walkgraph {
 
-// Noise and switches of the factor types and slow states. One struct per factor, and one Visit() per
-// struct that names every key once: the configuration file, `walkgraph config` and calibration are
-// all made from it. A visitor has `Field(key, value&, documentation)` and `Group(key, struct&)`.
-// Sigmas are what one sample deviates, in the unit of the name; none is a weight.
+// Noise and switches of the factor types and slow states. One struct per factor, and one Visit()
+// per struct that names every key once: the configuration file, `walkgraph config` and calibration
+// are all made from it. A visitor has `Field(key, value&, documentation)` and `Group(key,
+// struct&)`. Sigmas are what one sample deviates, in the unit of the name; none is a weight.
 
 enum class LossKind : std::uint8_t { kNone, kHuber, kCauchy };
 
@@ -31,7 +31,8 @@ struct StepSettings {
 
 struct HeadingIncrementSettings {
   bool enabled = true;
-  double sigma_rad_per_sqrt_s = 0.05;  // walking direction against integrated gyroscope
+  double sigma_rad_per_sqrt_s = 0.05;      // walking direction against integrated gyroscope
+  double unmeasured_rad_per_sqrt_s = 1.0;  // what people turn where no gyroscope says so
   LossSettings loss;
 };
 
@@ -44,14 +45,15 @@ struct AbsoluteHeadingSettings {
 
 struct StandingSettings {
   bool enabled = true;
-  double sigma_mps = 0.05;      // drift of a standing person, per sqrt(s) of standing
+  double sigma_mps = 0.05;  // drift of a standing person, per sqrt(s) of standing
+  double unseen_mps = 1.4;  // preferred walking speed (Browning et al. 2006): steps may be missed
   LossSettings loss;
 };
 
 struct FingerprintSettings {
   bool wifi = true;
   bool beacon = true;
-  double n_eff = 0;          // independent readings per scan; 0 takes the site's calibrated value
+  double n_eff = 0;            // independent readings per scan; 0 takes the site's calibrated value
   double min_rssi_dbm = -120;  // weaker readings are not used
   LossSettings loss;
 };
@@ -81,7 +83,7 @@ struct StepScaleSettings {
 
 struct MapErrorSettings {
   StateMode mode = StateMode::kActive;
-  double sigma_m = 0;         // stationary, per axis; 0 takes the site's calibrated value
+  double sigma_m = 0;  // stationary, per axis; 0 takes the site's calibrated value
   double correlation_s = 20;
   double knot_s = 5;
 };
@@ -126,6 +128,8 @@ void Visit(Visitor& v, HeadingIncrementSettings& s) {
   v.Field("enabled", s.enabled, "use integrated gyroscope yaw between nodes");
   v.Field("sigma_rad_per_sqrt_s", s.sigma_rad_per_sqrt_s,
           "change of walking direction against the gyroscope, rad per square root of seconds");
+  v.Field("unmeasured_rad_per_sqrt_s", s.unmeasured_rad_per_sqrt_s,
+          "change of walking direction without a gyroscope, rad per square root of seconds");
   Visit(v, s.loss);
 }
 template <typename Visitor>
@@ -139,6 +143,8 @@ template <typename Visitor>
 void Visit(Visitor& v, StandingSettings& s) {
   v.Field("enabled", s.enabled, "hold the position between nodes while standing");
   v.Field("sigma_mps", s.sigma_mps, "drift of a standing person, m per square root of seconds");
+  v.Field("unseen_mps", s.unseen_mps,
+          "speed of a person who may be walking although no step was detected, m/s");
   Visit(v, s.loss);
 }
 template <typename Visitor>

@@ -1,0 +1,98 @@
+#include "factors/fingerprint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "factors/cost.h"
+#include "factors/loss.h"
+
+namespace walkgraph {
+namespace {
+
+// The row sqrt(weight (2 cost + kRowOffset)) and the factor that turns the gradient of the cost
+// into that of the row. Rounding may leave a cost of zero a little below it.
+struct CostRow {
+  CostRow(double cost, double weight)
+      : value(std::sqrt(weight * (2.0 * std::max(cost, 0.0) + kRowOffset))),
+        slope(cost >= 0 ? weight / value : 0.0) {}
+  double value;
+  double slope;
+};
+
+FieldBasis BasisAt(const RadioMap& map, const double* position, const double* map_error) {
+  return EvaluateBasis(map.grid, {position[0] + map_error[0], position[1] + map_error[1]});
+}
+
+// Writes a row of the Jacobians by position and map error, which are the same.
+void FillPositionRow(double** jacobians, int row, const Eigen::Vector2d& gradient) {
+  for (const int block : {0, 1}) {
+    if (jacobians[block] == nullptr) continue;
+    jacobians[block][2 * row] = gradient.x();
+    jacobians[block][2 * row + 1] = gradient.y();
+  }
+}
+
+}  // namespace
+
+FingerprintFactor::FingerprintFactor(const RadioMap* map, MapSweep sweep, const LossSettings& loss)
+    : map_(map),
+      sweep_(std::move(sweep)),
+      loss_(loss),
+      log_sigma_min_(std::log(map->sigma_min_db)) {
+  set_num_residuals(readings() + 1);
+  *mutable_parameter_block_sizes() = {2, 2, 1};
+}
+
+bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
+                                 double** jacobians) const {
+  const FieldBasis basis = BasisAt(*map_, blocks[0], blocks[1]);
+  const double root_weight = std::sqrt(sweep_.weight);
+  double spread_nats = 0;
+  Eigen::Vector2d spread_gradient = Eigen::Vector2d::Zero();
+  int row = 0;
+  for (const MapSweep::Reading& reading : sweep_.readings) {
+    const FieldValue field = map_->Evaluate(reading.field, basis);
+    const double information = std::exp(-field.log_sigma);  // 1/dB
+    const double whitened = (reading.rssi_dbm + blocks[2][0] - field.mean_dbm) * information;
+    const RobustRow robust = ApplyLoss(loss_, whitened);
+    residual[row] = root_weight * robust.value;
+    spread_nats += field.log_sigma - log_sigma_min_;
+    if (jacobians != nullptr) {
+      const double slope = root_weight * robust.slope;
+      spread_gradient += field.d_log_sigma;
+      FillPositionRow(jacobians, row,
+                      -slope * (information * field.d_mean + whitened * field.d_log_sigma));
+      if (jacobians[2] != nullptr) jacobians[2][row] = slope * information;
+    }
+    ++row;
+  }
+  const CostRow spread(spread_nats, sweep_.weight);
+  residual[row] = spread.value;
+  if (jacobians != nullptr) {
+    FillPositionRow(jacobians, row, spread.slope * spread_gradient);
+    if (jacobians[2] != nullptr) jacobians[2][row] = 0;
+  }
+  return true;
+}
+
+double FingerprintFactor::LogNormaliser() const {
+  return sweep_.weight * readings() * GaussianLogNormaliser(map_->sigma_min_db);
+}
+
+bool HearingFactor::Evaluate(const double* const* blocks, double* residual,
+                             double** jacobians) const {
+  const FieldBasis basis = BasisAt(*map_, blocks[0], blocks[1]);
+  Eigen::Vector2d gradient;
+  double nats = map_->Silence(basis, &gradient);
+  for (const MapSweep::Reading& reading : sweep_.readings) {
+    const FieldValue field = map_->Evaluate(reading.field, basis);
+    nats -= field.logit_hear;
+    gradient -= field.d_logit_hear;
+  }
+  const CostRow row(nats, sweep_.weight);
+  residual[0] = row.value;
+  if (jacobians != nullptr) FillPositionRow(jacobians, 0, row.slope * gradient);
+  return true;
+}
+
+}  // namespace walkgraph

@@ -1,0 +1,21 @@
+#include "factors/registry.h"
+
+namespace walkgraph {
+
+const std::vector<FactorInfo>& FactorRegistry() {
+  static const std::vector<FactorInfo> kRegistry = {
+      {StepFactor::kName, "a detected step moves the position along the heading"},
+      {HeadingIncrementFactor::kName, "the heading turns as the gyroscope did"},
+      {AbsoluteHeadingFactor::kName, "the heading is the compass's, up to a slow offset"},
+      {PositionHoldFactor::kName, "the position holds while nobody walks"},
+      {FingerprintFactor::kName, "received signal strengths fit the radio map"},
+      {HearingFactor::kName, "the transmitters heard and not heard fit the radio map"},
+      {RandomWalkFactor::kName, "a slow state drifts from knot to knot"},
+      {GaussMarkovFactor::kName, "the radio map's error fades with time"},
+      {StatePriorFactor::kName, "a slow state before the walk"},
+      {PositionAnchorFactor::kName, "a surveyed point was passed"},
+  };
+  return kRegistry;
+}
+
+}  // namespace walkgraph
