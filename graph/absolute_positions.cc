@@ -1,0 +1,132 @@
+#include "graph/absolute_positions.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "factors/at_time.h"
+#include "factors/fingerprint.h"
+#include "factors/map_sweeps.h"
+#include "factors/prior.h"
+#include "graph/node_times.h"
+#include "graph/slow_states.h"
+
+namespace walkgraph {
+namespace {
+
+// Readings heard within this time share one place, and with it one look at the map: a fifth of a
+// metre of walking.
+constexpr double kSamePlaceS = 0.2;
+
+// Adds a factor whose first block is the position at a time, which the factor itself leaves out:
+// the node's where one stands there, else AtTime's between two.
+void AddAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int>& other_blocks,
+               TimeNs arrival_ns, WalkGraph* walk) {
+  const NodeBracket bracket = FindBracket(walk->node_ns, time_ns);
+  const auto before = static_cast<std::size_t>(bracket.before);
+  factor.blocks = {walk->position[before]};
+  if (bracket.fraction > 0) {
+    factor.cost = std::make_unique<AtTime<>>(bracket.fraction, std::move(factor.cost));
+    factor.blocks.push_back(walk->position[before + 1]);
+  }
+  factor.blocks.insert(factor.blocks.end(), other_blocks.begin(), other_blocks.end());
+  factor.arrival_ns = arrival_ns;
+  walk->graph.AddFactor(std::move(factor));
+  if (!walk->first_absolute_position_ns || arrival_ns < *walk->first_absolute_position_ns) {
+    walk->first_absolute_position_ns = arrival_ns;
+  }
+}
+
+GraphFactor MakeFingerprint(const RadioMap& map, MapSweep part, const LossSettings& loss) {
+  auto cost = std::make_unique<FingerprintFactor>(&map, std::move(part), loss);
+  GraphFactor factor;
+  factor.type = FingerprintFactor::kName;
+  factor.log_normaliser = cost->LogNormaliser() - cost->CostConstant();
+  factor.whitened_rows = cost->readings();
+  factor.weight = cost->weight();
+  factor.row_loss = loss;
+  factor.cost = std::move(cost);
+  return factor;
+}
+
+GraphFactor MakeHearing(const RadioMap& map, MapSweep scan) {
+  auto cost = std::make_unique<HearingFactor>(&map, std::move(scan));
+  GraphFactor factor;
+  factor.type = HearingFactor::kName;
+  factor.log_normaliser = -cost->CostConstant();
+  factor.weight = cost->weight();
+  factor.cost = std::move(cost);
+  return factor;
+}
+
+// A radio whose readings take part.
+struct HeardRadio {
+  const RadioMap* map = nullptr;
+  std::vector<MapSweep> scans;
+};
+
+std::vector<HeardRadio> HeardRadios(const Site& site, const Evidence& evidence,
+                                    const FingerprintSettings& settings, int floor) {
+  std::vector<HeardRadio> radios;
+  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+    if (!(radio == Radio::kWifi ? settings.wifi : settings.beacon)) continue;
+    const RadioMap* map = site.FindMap(floor, radio);
+    if (map == nullptr) continue;
+    HeardRadio heard{map, CollectMapSweeps(site, *map, evidence, settings)};
+    if (!heard.scans.empty()) radios.push_back(std::move(heard));
+  }
+  return radios;
+}
+
+// One state for all radios: where their maps differ, the worse is the honest one.
+double MapErrorSigma(const std::vector<HeardRadio>& radios, const MapErrorSettings& settings) {
+  if (settings.sigma_m > 0) return settings.sigma_m;
+  double sigma_m = 0;
+  for (const HeardRadio& radio : radios) {
+    sigma_m = std::max(sigma_m, radio.map->map_error_sigma_m);
+  }
+  return sigma_m;
+}
+
+void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings& settings,
+               WalkGraph* walk) {
+  const std::vector<HeardRadio> radios =
+      HeardRadios(site, evidence, settings.fingerprint, walk->floor);
+  if (radios.empty()) return;
+  const TimeNs begin_ns = walk->node_ns.front();
+  const KnotBlocks map_error =
+      AddMapErrorState(settings.map_error, MapErrorSigma(radios, settings.map_error), begin_ns,
+                       walk->node_ns.back(), &walk->graph);
+  for (const HeardRadio& radio : radios) {
+    const int offset = AddRssiOffsetState(settings.rssi_offset, static_cast<int>(radio.map->radio),
+                                          begin_ns, &walk->graph);
+    for (const MapSweep& part :
+         CollectMapSweeps(site, *radio.map, evidence, settings.fingerprint, kSamePlaceS)) {
+      AddAtTime(MakeFingerprint(*radio.map, part, settings.fingerprint.loss), part.mean_heard_ns,
+                {map_error.At(part.mean_heard_ns), offset}, part.printed_ns, walk);
+    }
+    for (const MapSweep& scan : radio.scans) {
+      AddAtTime(MakeHearing(*radio.map, scan), scan.mean_heard_ns,
+                {map_error.At(scan.mean_heard_ns)}, scan.printed_ns, walk);
+    }
+  }
+}
+
+void AddAnchors(const Evidence& evidence, WalkGraph* walk) {
+  for (const PositionAnchor& anchor : evidence.anchors) {
+    if (anchor.floor != walk->floor) continue;
+    const PositionAnchorFactor factor{anchor.position_m.x(), anchor.position_m.y(), anchor.sigma_m};
+    AddAtTime(MakeGraphFactor(factor, {}), anchor.time_ns, {}, anchor.time_ns, walk);
+  }
+}
+
+}  // namespace
+
+void AddAbsolutePositions(const Site& site, const Evidence& evidence,
+                          const FactorSettings& settings, WalkGraph* walk) {
+  AddRadios(site, evidence, settings, walk);
+  AddAnchors(evidence, walk);
+}
+
+}  // namespace walkgraph

@@ -1,0 +1,81 @@
+#include "graph/slow_states.h"
+
+#include <string>
+
+#include "factors/gauss_markov.h"
+#include "factors/prior.h"
+#include "factors/random_walk.h"
+
+namespace walkgraph {
+namespace {
+
+std::vector<int> AddKnots(BlockKind kind, const Knots& knots, const Eigen::VectorXd& value,
+                          FactorGraph* graph) {
+  std::vector<int> blocks;
+  for (int k = 0; k < knots.count(); ++k) {
+    blocks.push_back(graph->AddBlock({kind, k}, knots.Time(k), value));
+  }
+  return blocks;
+}
+
+KnotBlocks AddHeldState(BlockKind kind, const Eigen::VectorXd& value, TimeNs begin_ns,
+                        FactorGraph* graph) {
+  return {Knots(begin_ns, begin_ns, 1.0), {graph->AddBlock({kind, 0}, begin_ns, value, true)}};
+}
+
+std::string TypeOf(BlockKind kind, const char* what) {
+  return std::string(BlockName(kind)) + "_" + what;
+}
+
+}  // namespace
+
+KnotBlocks AddRandomWalkState(const RandomWalkModel& model, TimeNs begin_ns, TimeNs end_ns,
+                              FactorGraph* graph) {
+  const bool absent = model.mode == StateMode::kAbsent;
+  const Eigen::VectorXd value =
+      Eigen::VectorXd::Constant(1, absent ? model.absent_value : model.prior_mean);
+  if (model.mode != StateMode::kActive) return AddHeldState(model.kind, value, begin_ns, graph);
+  KnotBlocks state{Knots(begin_ns, end_ns, model.knot_s), {}};
+  state.blocks = AddKnots(model.kind, state.knots, value, graph);
+  graph->AddFactor(MakeGraphFactor(StatePriorFactor{model.prior_mean, model.prior_sigma},
+                                   {state.blocks.front()}, TypeOf(model.kind, "prior")));
+  const auto walk = RandomWalkFactor::FromRate(model.rate_per_sqrt_s, model.knot_s);
+  for (std::size_t k = 1; k < state.blocks.size(); ++k) {
+    graph->AddFactor(MakeGraphFactor(walk, {state.blocks[k - 1], state.blocks[k]},
+                                     TypeOf(model.kind, "random_walk")));
+  }
+  return state;
+}
+
+KnotBlocks AddMapErrorState(const MapErrorSettings& settings, double sigma_m, TimeNs begin_ns,
+                            TimeNs end_ns, FactorGraph* graph) {
+  constexpr BlockKind kKind = BlockKind::kMapError;
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
+  if (settings.mode != StateMode::kActive || sigma_m <= 0) {
+    return AddHeldState(kKind, zero, begin_ns, graph);
+  }
+  KnotBlocks state{Knots(begin_ns, end_ns, settings.knot_s), {}};
+  state.blocks = AddKnots(kKind, state.knots, zero, graph);
+  graph->AddFactor(MakeGraphFactor(PositionAnchorFactor{0, 0, sigma_m}, {state.blocks.front()},
+                                   TypeOf(kKind, "prior")));
+  const auto fade = GaussMarkovFactor::Stationary(sigma_m, settings.correlation_s, settings.knot_s);
+  for (std::size_t k = 1; k < state.blocks.size(); ++k) {
+    graph->AddFactor(MakeGraphFactor(fade, {state.blocks[k - 1], state.blocks[k]},
+                                     TypeOf(kKind, "gauss_markov")));
+  }
+  return state;
+}
+
+int AddRssiOffsetState(const RssiOffsetSettings& settings, int radio, TimeNs begin_ns,
+                       FactorGraph* graph) {
+  constexpr BlockKind kKind = BlockKind::kRssiOffset;
+  const bool held = settings.mode != StateMode::kActive;
+  const int block = graph->AddBlock({kKind, radio}, begin_ns, Eigen::VectorXd::Zero(1), held);
+  if (!held) {
+    graph->AddFactor(MakeGraphFactor(StatePriorFactor{0, settings.prior_sigma_db}, {block},
+                                     TypeOf(kKind, "prior")));
+  }
+  return block;
+}
+
+}  // namespace walkgraph

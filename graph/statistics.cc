@@ -1,0 +1,56 @@
+#include "graph/statistics.h"
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "factors/loss.h"
+
+namespace walkgraph {
+namespace {
+
+bool IsDownweighted(const ceres::LossFunction* loss, double squared_norm) {
+  if (loss == nullptr) return false;
+  double rho[3];
+  loss->Evaluate(squared_norm, rho);
+  return rho[1] < 0.5;
+}
+
+void Accumulate(const FactorGraph& graph, const GraphFactor& factor, ResidualStatistics* sum) {
+  std::vector<const double*> blocks;
+  for (const int block : factor.blocks) blocks.push_back(graph.value(block));
+  Eigen::VectorXd residual(factor.cost->num_residuals());
+  factor.cost->Evaluate(blocks.data(), residual.data(), nullptr);
+  const std::unique_ptr<ceres::LossFunction> row_loss = MakeLoss(factor.row_loss);
+  const ceres::LossFunction* loss = row_loss ? row_loss.get() : factor.loss.get();
+  sum->dimension = factor.dimension;
+  for (int first = 0; first < factor.whitened_rows; first += factor.dimension) {
+    double squared = 0;
+    for (int row = first; row < first + factor.dimension; ++row) {
+      const double value = UndoLoss(factor.row_loss, residual[row] / std::sqrt(factor.weight));
+      squared += value * value;
+    }
+    ++sum->count;
+    sum->mean_squared_whitened += squared;
+    sum->downweighted += IsDownweighted(loss, squared) ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+std::vector<ResidualStatistics> ComputeStatistics(const FactorGraph& graph) {
+  std::map<std::string, ResidualStatistics> by_type;
+  for (const GraphFactor& factor : graph.factors()) {
+    if (factor.whitened_rows > 0) Accumulate(graph, factor, &by_type[factor.type]);
+  }
+  std::vector<ResidualStatistics> all;
+  for (auto& [type, statistics] : by_type) {
+    statistics.type = type;
+    statistics.mean_squared_whitened /=
+        static_cast<double>(statistics.count) * statistics.dimension;
+    all.push_back(statistics);
+  }
+  return all;
+}
+
+}  // namespace walkgraph

@@ -1,0 +1,27 @@
+#ifndef WALKGRAPH_GRAPH_STATISTICS_H_
+#define WALKGRAPH_GRAPH_STATISTICS_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "graph/factor_graph.h"
+
+namespace walkgraph {
+
+// How well the measurements of one factor type fit.
+struct ResidualStatistics {
+  std::string type;
+  std::int64_t count = 0;            // measurements
+  int dimension = 0;                 // of each
+  double mean_squared_whitened = 0;  // per dimension; about 1 where the noise model is right
+  std::int64_t downweighted = 0;     // measurements whose robust weight fell under 1/2
+};
+
+// By type, in alphabetical order, at the graph's values. Factors without whitened rows (hearing)
+// are left out.
+std::vector<ResidualStatistics> ComputeStatistics(const FactorGraph& graph);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_GRAPH_STATISTICS_H_
