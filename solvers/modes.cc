@@ -1,0 +1,184 @@
+#include "solvers/modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "data/angle.h"
+#include "graph/linearize.h"
+#include "graph/marginal_covariance.h"
+#include "graph/posterior.h"
+
+namespace walkgraph {
+namespace {
+
+Eigen::Vector2d PositionOf(const WalkGraph& walk, const Eigen::VectorXd& values, std::size_t node) {
+  return values.segment<2>(walk.graph.block(walk.position[node]).offset);
+}
+
+double HeadingOf(const WalkGraph& walk, const Eigen::VectorXd& values, std::size_t node) {
+  return values[walk.graph.block(walk.heading[node]).offset];
+}
+
+bool SamePath(const WalkGraph& walk, const Mode& a, const Mode& b, double distinct_m) {
+  double sum = 0;
+  for (std::size_t i = 0; i < walk.node_ns.size(); ++i) {
+    sum += (PositionOf(walk, a.values, i) - PositionOf(walk, b.values, i)).squaredNorm();
+  }
+  return sum < distinct_m * distinct_m * static_cast<double>(walk.node_ns.size());
+}
+
+std::size_t KeptCount(const std::vector<Mode>& modes, double mode_limit_nats) {
+  std::size_t kept = 1;
+  while (kept < modes.size() &&
+         modes[kept].negative_log_mass <= modes.front().negative_log_mass + mode_limit_nats) {
+    ++kept;
+  }
+  return kept;
+}
+
+// Of the kept modes, adding up to one.
+std::vector<double> ModeWeights(const std::vector<Mode>& modes, std::size_t kept) {
+  std::vector<double> weights;
+  double sum = 0;
+  for (std::size_t m = 0; m < kept; ++m) {
+    // Equal infinities (covariance failed everywhere) leave the first mode alone.
+    const double excess =
+        m == 0 ? 0.0 : modes[m].negative_log_mass - modes.front().negative_log_mass;
+    weights.push_back(std::isnan(excess) ? 0.0 : std::exp(-excess));
+    sum += weights.back();
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+void MixNode(const WalkGraph& walk, const std::vector<Mode>& modes,
+             const std::vector<double>& weights, std::size_t node, PoseEstimate* pose) {
+  pose->covariance_xy_m2.setZero();
+  pose->variance_heading_rad2 = 0;
+  for (std::size_t m = 0; m < weights.size(); ++m) {
+    const Mode& mode = modes[m];
+    const Eigen::Vector2d apart = PositionOf(walk, mode.values, node) - pose->position_m.head<2>();
+    const double turned = WrapAngle(HeadingOf(walk, mode.values, node) - pose->heading_rad);
+    const auto position = static_cast<std::size_t>(walk.position[node]);
+    const auto heading = static_cast<std::size_t>(walk.heading[node]);
+    pose->covariance_xy_m2 +=
+        weights[m] * (mode.uncertainty.covariance[position] + apart * apart.transpose());
+    pose->variance_heading_rad2 +=
+        weights[m] * (mode.uncertainty.covariance[heading](0, 0) + turned * turned);
+  }
+}
+
+// Names of a slow state's coordinates.
+std::vector<std::string> CoordinateNames(const StateBlock& block) {
+  if (block.id.kind == BlockKind::kMapError) return {"map_error_x_m", "map_error_y_m"};
+  if (block.id.kind == BlockKind::kRssiOffset) {
+    return {std::string("rssi_offset_") + RadioName(static_cast<Radio>(block.id.index)) + "_db"};
+  }
+  return {std::string(BlockName(block.id.kind))};
+}
+
+}  // namespace
+
+PointUncertainty ComputeUncertainty(const WalkGraph& walk) {
+  const VariableIndex index(walk.graph);
+  LinearSystem system = Linearize(walk.graph, index);
+  if (!walk.has_absolute_heading) {
+    const double sigma_rad = std::numbers::pi / std::sqrt(3.0);
+    system.factors.push_back({{index.variable(walk.heading.front())},
+                              Eigen::MatrixXd::Constant(1, 1, 1.0 / sigma_rad),
+                              Eigen::VectorXd::Zero(1)});
+  }
+  PointUncertainty result;
+  for (const StateBlock& block : walk.graph.blocks()) {
+    const int size = block.constant ? 0 : block.size();
+    result.variables += size;
+    result.covariance.push_back(
+        Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN()));
+  }
+  const std::optional<MarginalCovariance> marginals = MarginalCovariance::Compute(system);
+  if (!marginals) return result;
+  for (int v = 0; v < index.size(); ++v) {
+    result.covariance[static_cast<std::size_t>(index.block(v))] = marginals->block(v).covariance;
+  }
+  result.log_det_hessian =
+      marginals->log_determinant().value_or(std::numeric_limits<double>::infinity());
+  return result;
+}
+
+void RankModes(const SolverSettings& settings, WalkGraph* walk, std::vector<Mode>* modes) {
+  std::stable_sort(modes->begin(), modes->end(), [](const Mode& a, const Mode& b) {
+    return a.negative_log_density < b.negative_log_density;
+  });
+  std::vector<Mode> distinct;
+  for (Mode& mode : *modes) {
+    const bool repeated = std::any_of(distinct.begin(), distinct.end(), [&](const Mode& other) {
+      return SamePath(*walk, mode, other, settings.distinct_m);
+    });
+    if (repeated) continue;
+    walk->graph.SetValues(mode.values);
+    mode.uncertainty = ComputeUncertainty(*walk);
+    mode.negative_log_mass = NegativeLogModeMass(
+        mode.negative_log_density, mode.uncertainty.log_det_hessian, mode.uncertainty.variables);
+    distinct.push_back(std::move(mode));
+  }
+  std::stable_sort(distinct.begin(), distinct.end(), [](const Mode& a, const Mode& b) {
+    return a.negative_log_mass < b.negative_log_mass;
+  });
+  *modes = std::move(distinct);
+}
+
+Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats,
+                    double floor_height_m) {
+  const std::vector<double> weights = ModeWeights(modes, KeptCount(modes, mode_limit_nats));
+  Trajectory trajectory;
+  double last_heading = HeadingOf(walk, modes.front().values, 0);
+  for (std::size_t i = 0; i < walk.node_ns.size(); ++i) {
+    PoseEstimate pose;
+    pose.time_ns = walk.node_ns[i];
+    pose.position_m.head<2>() = PositionOf(walk, modes.front().values, i);
+    pose.position_m.z() = floor_height_m;
+    pose.floor = walk.floor;
+    // A start that jumped by a turn is still a heading, but outputs are unwrapped.
+    last_heading += WrapAngle(HeadingOf(walk, modes.front().values, i) - last_heading);
+    pose.heading_rad = last_heading;
+    pose.modes = static_cast<int>(weights.size());
+    MixNode(walk, modes, weights, i, &pose);
+    trajectory.poses.push_back(pose);
+  }
+  return trajectory;
+}
+
+std::vector<SlowStateEstimate> SlowStates(const WalkGraph& walk, const Mode& mode) {
+  std::vector<SlowStateEstimate> states;
+  for (std::size_t b = 0; b < walk.graph.blocks().size(); ++b) {
+    const StateBlock& block = walk.graph.blocks()[b];
+    if (block.constant || !IsSlowState(block.id.kind)) continue;
+    const std::vector<std::string> names = CoordinateNames(block);
+    for (int i = 0; i < block.size(); ++i) {
+      states.push_back({names[static_cast<std::size_t>(i)], block.time_ns,
+                        mode.values[block.offset + i],
+                        std::sqrt(mode.uncertainty.covariance[b](i, i))});
+    }
+  }
+  return states;
+}
+
+std::vector<Hypothesis> Hypotheses(const WalkGraph& walk, const std::vector<Mode>& modes,
+                                   double mode_limit_nats) {
+  const std::size_t kept = KeptCount(modes, mode_limit_nats);
+  std::vector<Hypothesis> hypotheses;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    Hypothesis hypothesis{modes[m].source, modes[m].negative_log_mass, m < kept, {}};
+    for (std::size_t i = 0; i < walk.node_ns.size(); ++i) {
+      hypothesis.path_m.push_back(PositionOf(walk, modes[m].values, i));
+    }
+    hypotheses.push_back(std::move(hypothesis));
+  }
+  return hypotheses;
+}
+
+}  // namespace walkgraph

@@ -1,0 +1,43 @@
+#ifndef WALKGRAPH_SOLVERS_SETTINGS_H_
+#define WALKGRAPH_SOLVERS_SETTINGS_H_
+
+namespace walkgraph {
+
+// How the batch and window smoothers search. Work is capped in iterations, never in seconds, so
+// that a result does not depend on the machine.
+struct SolverSettings {
+  int max_iterations = 50;
+  // Relative decrease of the cost that ends the search: far below a nat for any walk.
+  double function_tolerance = 1e-6;
+  int hypotheses = 4;          // dead-reckoned starts beside those of the discrete smoother
+  double mode_limit_nats = 6;  // modes this much worse than the best are dropped
+  double distinct_m = 1.0;     // root mean square distance under which two solutions are one mode
+};
+
+struct WindowSettings {
+  double seconds = 10;         // nodes older than this before the newest leave the window
+  int nodes = 0;               // if positive, this many nodes stay instead
+  bool report_newest = false;  // report a node when it arrives (no lag), not when it leaves
+};
+
+template <typename Visitor>
+void Visit(Visitor& v, SolverSettings& s) {
+  v.Field("max_iterations", s.max_iterations, "Levenberg-Marquardt iterations per solve at most");
+  v.Field("function_tolerance", s.function_tolerance,
+          "relative decrease of the cost that ends a solve");
+  v.Field("hypotheses", s.hypotheses,
+          "dead-reckoned starts beside the paths of the discrete smoother");
+  v.Field("mode_limit_nats", s.mode_limit_nats, "modes this much worse than the best are dropped");
+  v.Field("distinct_m", s.distinct_m, "solutions closer than this (RMS) are one mode, m");
+}
+template <typename Visitor>
+void Visit(Visitor& v, WindowSettings& s) {
+  v.Field("seconds", s.seconds, "nodes older than this leave the window, s");
+  v.Field("nodes", s.nodes, "if positive, the window keeps this many nodes instead");
+  v.Field("report_newest", s.report_newest,
+          "report a node when it arrives instead of when it leaves the window");
+}
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_SOLVERS_SETTINGS_H_
