@@ -1,0 +1,134 @@
+#include "eval/summary.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <set>
+
+#include "eval/survey_distance.h"
+#include "eval/table.h"
+
+namespace walkgraph {
+namespace {
+
+// Errors of the methods on one walk's selected waypoints: [method][waypoint].
+using WalkErrors = std::vector<std::vector<WaypointError>>;
+
+bool HasAllTrajectories(const WalkOutcome& walk) {
+  return std::all_of(walk.methods.begin(), walk.methods.end(),
+                     [](const MethodOutcome& method) { return method.has_trajectory; });
+}
+
+WalkErrors ErrorsOf(const WalkOutcome& walk) {
+  WalkErrors errors;
+  for (const MethodOutcome& method : walk.methods) {
+    errors.push_back(method.has_trajectory ? method.errors : walk.centroid_errors);
+  }
+  return errors;
+}
+
+WalkErrors OnFloor(WalkErrors walk, int floor) {
+  for (std::vector<WaypointError>& errors : walk) {
+    std::erase_if(errors, [&](const WaypointError& error) { return error.floor != floor; });
+  }
+  return walk;
+}
+
+double SumOf(const std::vector<WaypointError>& errors) {
+  double sum = 0;
+  for (const WaypointError& error : errors) sum += error.error_m;
+  return sum;
+}
+
+SummaryRow MakeRow(const std::string& method, std::size_t index,
+                   const std::vector<WalkErrors>& walks) {
+  SummaryRow row;
+  row.method = method;
+  row.walks = static_cast<int>(walks.size());
+  std::vector<WaypointError> pooled;
+  std::vector<WalkTotal> totals;
+  for (const WalkErrors& walk : walks) {
+    const std::vector<WaypointError>& errors = walk[index];
+    pooled.insert(pooled.end(), errors.begin(), errors.end());
+    totals.push_back({SumOf(errors), static_cast<int>(errors.size())});
+  }
+  row.errors = Summarise(pooled);
+  row.mean_interval_m = BootstrapMean(totals);
+  return row;
+}
+
+PairedDifference MakeDifference(const std::vector<std::string>& methods, std::size_t a,
+                                std::size_t b, const std::vector<WalkErrors>& walks) {
+  std::vector<WalkTotal> totals;
+  for (const WalkErrors& walk : walks) {
+    totals.push_back({SumOf(walk[a]) - SumOf(walk[b]), static_cast<int>(walk[a].size())});
+  }
+  return {methods[a], methods[b], PooledMean(totals), BootstrapMean(totals)};
+}
+
+SummarySection MakeSection(const std::string& name, const std::vector<std::string>& methods,
+                           std::vector<WalkErrors> walks) {
+  std::erase_if(walks, [](const WalkErrors& walk) { return walk.empty() || walk[0].empty(); });
+  SummarySection section;
+  section.name = name;
+  for (std::size_t a = 0; a < methods.size(); ++a) {
+    section.rows.push_back(MakeRow(methods[a], a, walks));
+    for (std::size_t b = 0; b < methods.size(); ++b) {
+      if (a != b) section.differences.push_back(MakeDifference(methods, a, b, walks));
+    }
+  }
+  return section;
+}
+
+}  // namespace
+
+std::vector<SummarySection> SummariseEvaluation(const Evaluation& evaluation,
+                                                const std::map<int, std::string>& floor_names) {
+  std::vector<WalkErrors> pooled, covered, all;
+  std::set<int> floors;
+  for (const WalkOutcome& walk : evaluation.walks) {
+    if (!walk.finished || walk.truth.waypoints.empty()) continue;
+    all.push_back(ErrorsOf(walk));
+    if (!HasAllTrajectories(walk)) continue;
+    pooled.push_back(all.back());
+    if (walk.survey_distance_m < kCoveredDistanceM) covered.push_back(all.back());
+    for (const Waypoint& waypoint : walk.truth.waypoints) floors.insert(waypoint.floor);
+  }
+  std::vector<SummarySection> sections = {MakeSection("pooled", evaluation.methods, pooled),
+                                          MakeSection("covered", evaluation.methods, covered)};
+  for (const int floor : floors) {
+    std::vector<WalkErrors> on_floor;
+    for (const WalkErrors& walk : pooled) on_floor.push_back(OnFloor(walk, floor));
+    const auto name = floor_names.find(floor);
+    sections.push_back(
+        MakeSection("floor " + (name == floor_names.end() ? std::to_string(floor) : name->second),
+                    evaluation.methods, on_floor));
+  }
+  sections.push_back(MakeSection("all_walks", evaluation.methods, all));
+  return sections;
+}
+
+std::string FormatSummary(const std::vector<SummarySection>& sections,
+                          const std::map<std::string, double>& seconds_per_walk) {
+  std::string text;
+  for (const SummarySection& section : sections) {
+    Table table({section.name, "walks", "n", "mean", "95% interval", "median", "p75", "p90", "p95",
+                 "max", "floor", "cover50", "cover95", "nees", "s/walk"});
+    for (const SummaryRow& row : section.rows) {
+      const ErrorSummary& e = row.errors;
+      const auto seconds = seconds_per_walk.find(row.method);
+      table.AddRow(
+          {row.method, std::to_string(row.walks), std::to_string(e.n), FixedDecimals(e.mean_m, 2),
+           FixedDecimals(row.mean_interval_m.low, 2) + " .. " +
+               FixedDecimals(row.mean_interval_m.high, 2),
+           FixedDecimals(e.median_m, 2), FixedDecimals(e.p75_m, 2), FixedDecimals(e.p90_m, 2),
+           FixedDecimals(e.p95_m, 2), FixedDecimals(e.max_m, 1), FixedDecimals(e.floor_accuracy, 3),
+           FixedDecimals(e.coverage50, 3), FixedDecimals(e.coverage95, 3), FixedDecimals(e.nees, 2),
+           seconds == seconds_per_walk.end() ? "-" : FixedDecimals(seconds->second, 3)});
+    }
+    text += table.Format() + "\n";
+  }
+  return text;
+}
+
+}  // namespace walkgraph
