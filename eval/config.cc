@@ -168,6 +168,17 @@ void ApplyOverrides(const std::vector<ConfigOverride>& overrides, Settings* sett
   for (const ConfigOverride& item : overrides) Assign(keys, item.key, item.text);
 }
 
+std::map<std::string, std::string> ChangedValues(const Settings& base, const Settings& changed) {
+  Settings a = base, b = changed;
+  const std::vector<ConfigKey> before = ConfigKeys(&a), after = ConfigKeys(&b);
+  std::map<std::string, std::string> changes;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const std::string value = FormatValue(after[i]);
+    if (value != FormatValue(before[i])) changes[after[i].name] = value;
+  }
+  return changes;
+}
+
 std::string PrintConfig(const Settings& settings) {
   Settings copy = settings;
   std::vector<ConfigKey> keys = ConfigKeys(&copy);

@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_EVAL_CONFIG_H_
 #define WALKGRAPH_EVAL_CONFIG_H_
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace walkgraph {
 // The configuration is one tree of keys:
 //   noise.<factor>.<key>     numbers of the factors and slow states (sigmas, rates, knots)
 //   factors.<factor>.<key>   their switches (enabled, mode, loss)
+//   frontend.<part>.<key>    how streams become evidence
+//   radio_map.<key>          how a survey becomes a map
+//   scoring.<key>            how estimates are scored
 // `walkgraph config` prints it, with documentation and defaults, as YAML that reads back.
 
 // A value that the user set: it wins over defaults and over calibration.
@@ -32,6 +36,9 @@ ConfigOverride ParseSetFlag(const std::string& assignment);
 // Writes the values into `settings`, later ones over earlier ones. Precondition: the overrides come
 // from the functions above.
 void ApplyOverrides(const std::vector<ConfigOverride>& overrides, Settings* settings);
+
+// The keys whose values differ, with the value in `changed`.
+std::map<std::string, std::string> ChangedValues(const Settings& base, const Settings& changed);
 
 // The whole tree as documented YAML.
 std::string PrintConfig(const Settings& settings);

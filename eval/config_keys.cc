@@ -71,10 +71,19 @@ class KeyCollector {
   std::vector<ConfigKey>* keys_;
 };
 
+template <typename Struct>
+void Collect(const char* root, Struct& group, std::vector<ConfigKey>* keys) {
+  KeyCollector collector(root, root, keys);
+  Visit(collector, group);
+}
+
 std::vector<ConfigKey> CollectKeys(Settings* settings) {
   std::vector<ConfigKey> keys;
   KeyCollector factors("noise", "factors", &keys);
   Visit(factors, settings->factors);
+  Collect("frontend", settings->frontend, &keys);
+  Collect("radio_map", settings->radio_map, &keys);
+  Collect("scoring", settings->scoring, &keys);
   return keys;
 }
 

@@ -2,13 +2,30 @@
 #define WALKGRAPH_EVAL_SETTINGS_H_
 
 #include "factors/settings.h"
+#include "frontends/radio_map/trainer.h"
+#include "frontends/settings.h"
 
 namespace walkgraph {
+
+// How estimates are scored.
+struct ScoringSettings {
+  // Error of a waypoint itself, as the survey assumes it: a person taps while passing a mark.
+  double waypoint_sigma_m = 0.3;
+};
+
+template <typename Visitor>
+void Visit(Visitor& v, ScoringSettings& s) {
+  v.Field("waypoint_sigma_m", s.waypoint_sigma_m,
+          "error of a waypoint per axis, in coverage and as an anchor, m");
+}
 
 // Everything that can be configured, made of the settings structs of the layers below. The defaults
 // are the documented reference that `walkgraph config` prints.
 struct Settings {
   FactorSettings factors;
+  FrontendSettings frontend;
+  TrainerSettings radio_map;
+  ScoringSettings scoring;
 };
 
 }  // namespace walkgraph

@@ -1,0 +1,64 @@
+#include "common_flags.h"
+#include "eval/evaluate.h"
+#include "eval/methods.h"
+#include "eval/usage_error.h"
+#include "verbs.h"
+
+DEFINE_string(train, "", "folder of walks to train on, in place of --dataset");
+DEFINE_string(test, "", "folder of walks to test on, in place of --dataset");
+DEFINE_string(methods, "", "comma-separated names; `walkgraph methods` lists them");
+DEFINE_int32(folds, 5, "parts of the cross-validation");
+DEFINE_string(split, "walk", "what stays together: walk, session, trial, phone or block");
+DEFINE_bool(tum, false, "write trajectories in TUM format too");
+
+namespace walkgraph {
+namespace {
+
+void CheckDatasets() {
+  const bool one = !FLAGS_dataset.empty();
+  const bool two = !FLAGS_train.empty() && !FLAGS_test.empty();
+  if (one == two || (one && (!FLAGS_train.empty() || !FLAGS_test.empty()))) {
+    throw UsageError("expected either --dataset=DIR or both --train=DIR and --test=DIR");
+  }
+}
+
+int RunEvaluate(const CommandLine& line) {
+  RequireNoArguments(line);
+  CheckDatasets();
+  RequireFlag("methods", FLAGS_methods);
+  RequireFlag("out", FLAGS_out);
+  const std::optional<SplitBy> split = SplitByName(FLAGS_split);
+  if (!split) {
+    throw UsageError("--split=" + FLAGS_split + ": expected walk, session, trial, phone or block");
+  }
+  if (FLAGS_folds < 2) throw UsageError("--folds: expected at least 2");
+  const EvaluateOptions options = {.dataset = FLAGS_dataset,
+                                   .train = FLAGS_train,
+                                   .test = FLAGS_test,
+                                   .out = FLAGS_out,
+                                   .methods = ParseMethods(FLAGS_methods),
+                                   .folds = FLAGS_folds,
+                                   .split = *split,
+                                   .split_name = FLAGS_split,
+                                   .floor_given = FloorGiven(),
+                                   .tum = FLAGS_tum,
+                                   .workers = Workers(),
+                                   .overrides = ReadOverrides(line),
+                                   .command_line = line.text,
+                                   .stopped = Interrupted};
+  HandleInterrupt();
+  return EvaluateDataset(options);
+}
+
+}  // namespace
+
+Verb EvaluateVerb() {
+  return {"evaluate",
+          "--dataset=DIR --methods=a,b --out=DIR",
+          "survey, calibrate, estimate and score by cross-validation",
+          {"dataset", "train", "test", "methods", "folds", "split", "floor", "out", "tum",
+           "workers", "config", "set"},
+          RunEvaluate};
+}
+
+}  // namespace walkgraph

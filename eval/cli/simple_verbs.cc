@@ -1,0 +1,49 @@
+// The verbs that only print.
+#include <cstdio>
+
+#include "common_flags.h"
+#include "eval/config.h"
+#include "eval/evaluate.h"
+#include "eval/methods.h"
+#include "eval/version.h"
+#include "verbs.h"
+
+namespace walkgraph {
+namespace {
+
+int RunConfig(const CommandLine& line) {
+  RequireNoArguments(line);
+  std::fputs(PrintConfig(ReadSettings(line)).c_str(), stdout);
+  return kExitOk;
+}
+
+int RunMethods(const CommandLine& line) {
+  RequireNoArguments(line);
+  for (const Method& method : Methods()) {
+    std::printf("%-14s %s\n", method.name.c_str(), method.description.c_str());
+  }
+  return kExitOk;
+}
+
+int RunVersion(const CommandLine& line) {
+  RequireNoArguments(line);
+  const std::string_view version = Version();
+  std::printf("walkgraph %.*s\n", static_cast<int>(version.size()), version.data());
+  return kExitOk;
+}
+
+}  // namespace
+
+Verb ConfigVerb() {
+  return {"config",
+          "",
+          "print all settings with their documentation, as YAML that reads back",
+          {"config", "set"},
+          RunConfig};
+}
+
+Verb MethodsVerb() { return {"methods", "", "list the methods", {}, RunMethods}; }
+
+Verb VersionVerb() { return {"version", "", "print the version", {}, RunVersion}; }
+
+}  // namespace walkgraph

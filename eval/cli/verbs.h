@@ -1,0 +1,17 @@
+#ifndef WALKGRAPH_EVAL_CLI_VERBS_H_
+#define WALKGRAPH_EVAL_CLI_VERBS_H_
+
+#include "command_line.h"
+
+namespace walkgraph {
+
+// One per file; each reads the gflags that it names in its Verb.
+Verb InspectVerb();
+Verb EvaluateVerb();
+Verb ConfigVerb();
+Verb MethodsVerb();
+Verb VersionVerb();
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_EVAL_CLI_VERBS_H_

@@ -1,0 +1,213 @@
+#include "eval/evaluate.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "data/dataset.h"
+#include "data/input_error.h"
+#include "eval/files.h"
+#include "eval/fold.h"
+#include "eval/loaded_walk.h"
+#include "eval/parallel.h"
+#include "eval/progress.h"
+#include "eval/result_files.h"
+#include "eval/run_folder.h"
+#include "eval/summary.h"
+#include "eval/summary_json.h"
+#include "eval/survey_distance.h"
+
+namespace walkgraph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// One evaluation from data set to result files.
+class EvaluationRun {
+ public:
+  explicit EvaluationRun(const EvaluateOptions& options) : options_(options) {
+    ApplyOverrides(options.overrides, &run_.settings);
+    OpenDatasets();
+  }
+
+  int Run() {
+    PrepareResultFolder(options_.out);
+    LogToRunFolder(options_.out);
+    WriteRunDescription(options_.out, options_.command_line, options_.workers);
+    Load();
+    AssignFolds();
+    Estimate();
+    return Finish();
+  }
+
+ private:
+  void OpenDatasets() {
+    const bool two = options_.dataset.empty();
+    const Dataset test = OpenDataset(two ? options_.test : options_.dataset);
+    building_ = test.building;
+    files_ = test.walks;
+    test_count_ = files_.size();
+    if (two) {
+      const Dataset train = OpenDataset(options_.train);
+      building_ = train.building;
+      files_.insert(files_.end(), train.walks.begin(), train.walks.end());
+    }
+  }
+
+  void Load() {
+    LOG(INFO) << "reading " << files_.size() << " walks";
+    walks_.resize(files_.size());
+    Progress progress(static_cast<int>(files_.size()), "walks read", ProgressLog());
+    ParallelFor(options_.workers, files_.size(), options_.stopped, [&](std::size_t i) {
+      walks_[i] = LoadWalk(files_[i], building_, run_.settings.frontend, options_.floor_given);
+      progress.Done(files_[i].id);
+    });
+    for (const LoadedWalk& walk : walks_) {
+      if (!walk.checksum.empty()) run_.checksums[walk.file.id] = walk.checksum;
+      if (!walk.error.empty()) LOG(WARNING) << walk.file.id << ": " << walk.error;
+    }
+  }
+
+  void AssignFolds() {
+    for (const Method* method : options_.methods) evaluation_.methods.push_back(method->name);
+    evaluation_.walks.resize(test_count_);
+    std::vector<WalkToSplit> to_split;
+    for (std::size_t i = 0; i < test_count_; ++i) {
+      const LoadedWalk& walk = walks_[i];
+      to_split.push_back({files_[i].id, files_[i].trial, walk.evidence.device, &walk.truth});
+    }
+    const std::vector<std::string> groups = GroupWalks(to_split, options_.split);
+    const bool two = options_.dataset.empty();
+    walks_of_fold_.resize(two ? 1 : static_cast<std::size_t>(options_.folds));
+    run_.calibrated.resize(walks_of_fold_.size());
+    for (std::size_t i = 0; i < test_count_; ++i) {
+      evaluation_.walks[i].walk = files_[i].id;
+      evaluation_.walks[i].fold = two ? 0 : FoldOfGroup(groups[i], options_.folds);
+      walks_of_fold_[static_cast<std::size_t>(evaluation_.walks[i].fold)].push_back(i);
+    }
+  }
+
+  void Estimate() {
+    folds_.resize(walks_of_fold_.size());
+    Progress progress(static_cast<int>(test_count_), "walks", ProgressLog());
+    const FoldJobs jobs = {.prepare = [&](std::size_t fold) { Prepare(fold); },
+                           .run =
+                               [&](std::size_t fold, std::size_t walk) {
+                                 RunWalk(folds_[fold], walks_[walk], &evaluation_.walks[walk]);
+                                 progress.Done(walks_[walk].file.id);
+                               },
+                           .release = [&](std::size_t fold) { folds_[fold] = Fold(); }};
+    RunFolds(options_.workers, walks_of_fold_, jobs, options_.stopped);
+  }
+
+  void Prepare(std::size_t fold) {
+    const Clock::time_point begin = Clock::now();
+    std::vector<const LoadedWalk*> training, test;
+    for (std::size_t i = 0; i < walks_.size(); ++i) {
+      const bool held_out =
+          i < test_count_ && static_cast<std::size_t>(evaluation_.walks[i].fold) == fold;
+      (held_out ? test : training).push_back(&walks_[i]);
+    }
+    folds_[fold] = PrepareFold(building_, training, test, options_.methods, options_.overrides);
+    run_.calibrated[fold] = ChangedValues(run_.settings, folds_[fold].settings);
+    LOG(INFO) << "fold " << fold << ": " << training.size() << " walks to train on, "
+              << SecondsSince(begin) << " s";
+  }
+
+  void RunWalk(const Fold& fold, const LoadedWalk& walk, WalkOutcome* outcome) const {
+    outcome->truth = walk.truth;
+    outcome->duration_s = SecondsBetween(walk.evidence.begin_ns, walk.evidence.end_ns);
+    outcome->survey_distance_m = SurveyDistance(fold.site, walk.truth);
+    outcome->centroid_errors = CentroidErrors(fold.site, walk);
+    for (std::size_t i = 0; i < options_.methods.size(); ++i) {
+      outcome->methods.push_back(Score(fold, i, walk));
+    }
+    WriteFileWhole(options_.out + "/walks/" + walk.file.id + ".json",
+                   FormatWalkJson(*outcome, evaluation_.methods));
+    outcome->finished = true;
+  }
+
+  MethodOutcome Score(const Fold& fold, std::size_t method, const LoadedWalk& walk) const {
+    MethodOutcome outcome;
+    if (!walk.error.empty()) {
+      outcome.status = EstimateStatus::kInputError;
+      outcome.messages = {walk.error};
+      return outcome;
+    }
+    const Clock::time_point begin = Clock::now();
+    const EstimateResult result = RunMethod(*fold.estimators[method], fold.site, walk.evidence);
+    outcome.seconds = SecondsSince(begin);
+    outcome.status = result.status;
+    outcome.messages = result.messages;
+    outcome.has_trajectory = !result.trajectory.empty();
+    if (outcome.has_trajectory) {
+      outcome.errors =
+          ErrorsAtWaypoints(result.trajectory, walk.truth, run_.settings.scoring.waypoint_sigma_m);
+    }
+    WriteEstimate(options_.out, walk.file.id, evaluation_.methods[method], result, options_.tum);
+    for (const std::string& message : result.messages) {
+      LOG(INFO) << walk.file.id << " " << evaluation_.methods[method] << ": " << message;
+    }
+    return outcome;
+  }
+
+  static std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& walk) {
+    if (walk.truth.waypoints.empty()) return {};
+    const int floor = walk.evidence.floor.value_or(walk.truth.waypoints.front().floor);
+    const Eigen::Vector2d centroid = SurveyCentroid(site, floor).value_or(Eigen::Vector2d::Zero());
+    return ErrorsOfFixedPoint(centroid, floor, walk.truth);
+  }
+
+  int Finish() {
+    std::map<int, std::string> floor_names;
+    for (const Floor& floor : building_.floors) floor_names[floor.number] = floor.name;
+    const std::vector<SummarySection> sections = SummariseEvaluation(evaluation_, floor_names);
+    run_.split = options_.dataset.empty() ? "train/test" : options_.split_name;
+    run_.folds = static_cast<int>(walks_of_fold_.size());
+    run_.floor_given = options_.floor_given;
+    WriteFileWhole(options_.out + "/scores.csv", FormatScoresCsv(evaluation_));
+    WriteFileWhole(options_.out + "/building.json", FormatBuildingJson(building_));
+    WriteFileWhole(options_.out + "/summary.json", FormatSummaryJson(evaluation_, sections, run_));
+    WriteTimings(options_.out, evaluation_);
+    std::fputs(FormatSummary(sections, SecondsPerWalk(evaluation_)).c_str(), stdout);
+    return ExitCode();
+  }
+
+  int ExitCode() const {
+    if (options_.stopped()) return kExitInterrupted;
+    for (const WalkOutcome& walk : evaluation_.walks) {
+      for (const MethodOutcome& method : walk.methods) {
+        if (method.has_trajectory) return kExitOk;
+      }
+    }
+    return kExitNoTrajectory;
+  }
+
+  std::string ProgressLog() const { return options_.out + "/run/progress"; }
+
+  const EvaluateOptions& options_;
+  RunDescription run_;
+  Building building_;
+  std::vector<WalkFile> files_;  // walks to test, then walks only to train on
+  std::size_t test_count_ = 0;
+  std::vector<LoadedWalk> walks_;
+  std::vector<std::vector<std::size_t>> walks_of_fold_;
+  std::vector<Fold> folds_;
+  Evaluation evaluation_;
+};
+
+}  // namespace
+
+int EvaluateDataset(const EvaluateOptions& options) { return EvaluationRun(options).Run(); }
+
+}  // namespace walkgraph

@@ -1,0 +1,44 @@
+#ifndef WALKGRAPH_EVAL_RESULT_FILES_H_
+#define WALKGRAPH_EVAL_RESULT_FILES_H_
+
+#include <string>
+#include <vector>
+
+#include "data/building.h"
+#include "data/trajectory.h"
+#include "eval/outcome.h"
+#include "solvers/estimator.h"
+
+namespace walkgraph {
+
+// The texts of the result files. Numbers have fixed decimals; a NaN is an empty field.
+
+// time_ns,x_m,y_m,z_m,floor,heading_rad,cov_xx,cov_xy,cov_yy,cov_zz,cov_hh,modes: a row per pose.
+std::string FormatTrajectoryCsv(const Trajectory& trajectory);
+
+// The TUM format of evo and others: `time_s x y z qx qy qz qw`, rotation about z by the heading.
+std::string FormatTrajectoryTum(const Trajectory& trajectory);
+
+// state,time_ns,value,sigma: a row per slow state and knot.
+std::string FormatStatesCsv(const std::vector<SlowStateEstimate>& states);
+
+// A row per walk and method in the order of the evaluation; unfinished walks are left out.
+std::string FormatScoresCsv(const Evaluation& evaluation);
+
+// What a plot of one walk needs: {"walk", "fold", "survey_distance_m", "waypoints": [{"time_ns",
+// "x_m", "y_m", "floor"}], "methods": {name: {"status", "messages", "errors_m": [by waypoint]}}}.
+std::string FormatWalkJson(const WalkOutcome& outcome, const std::vector<std::string>& methods);
+
+// What a plot of the building needs: {"name", "floors": [{"number", "name", "height_m",
+// "min_corner_m", "max_corner_m", "outline_m", "obstacles_m", "image"?: {"path", "min_corner_m",
+// "max_corner_m"}}]}; polygons are lists of rings of [x, y].
+std::string FormatBuildingJson(const Building& building);
+
+// Writes trajectories/<walk>.<method>.csv (and .tum) and states/<walk>.<method>.csv under `out`.
+// What is empty gets no file.
+void WriteEstimate(const std::string& out, const std::string& walk, const std::string& method,
+                   const EstimateResult& result, bool tum);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_EVAL_RESULT_FILES_H_
