@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "eval/suggest.h"
 #include "eval/usage_error.h"
+#include "solvers/baselines/viterbi.h"
 
 namespace walkgraph {
 namespace {
@@ -19,10 +21,39 @@ const Method* FindMethod(const std::string& name) {
                    ", expected one that `walkgraph methods` lists");
 }
 
+Method Describe(const MethodDescription& description, decltype(Method::make) make) {
+  return {std::string(description.name), description, std::move(make)};
+}
+
+constexpr MethodDescription kViterbiDescription{
+    "viterbi", "the graph's motion, radio map and noise on a lattice; its proposal too",
+    "Viterbi, IEEE Trans. Information Theory 13, 1967",
+    "cell and heading offset are the hidden state; no covariance"};
+
 }  // namespace
 
 const std::vector<Method>& Methods() {
-  static const std::vector<Method>* const kMethods = new std::vector<Method>{};
+  static const std::vector<Method>* const kMethods = new std::vector<Method>{
+      Describe(kNearestNeighbourDescription,
+               [](const Settings& s) -> std::unique_ptr<Estimator> {
+                 return std::make_unique<WknnEstimator>(
+                     WknnEstimator::NearestNeighbour(s.baselines.wknn, s.factors));
+               }),
+      Describe(kWknnDescription,
+               [](const Settings& s) -> std::unique_ptr<Estimator> {
+                 return std::make_unique<WknnEstimator>(
+                     WknnEstimator::Wknn(s.baselines.wknn, s.factors));
+               }),
+      Describe(kDeadReckoningDescription,
+               [](const Settings& s) -> std::unique_ptr<Estimator> {
+                 return std::make_unique<DeadReckoningEstimator>(s.baselines.pdr, s.baselines.wknn,
+                                                                 s.factors);
+               }),
+      Describe(kViterbiDescription,
+               [](const Settings& s) -> std::unique_ptr<Estimator> {
+                 return std::make_unique<Viterbi>(s.factors, s.baselines.viterbi);
+               }),
+  };
   return *kMethods;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "eval/settings.h"
+#include "solvers/baselines/description.h"
 #include "solvers/estimator.h"
 
 namespace walkgraph {
@@ -15,7 +16,7 @@ namespace walkgraph {
 // A method by its name on the command line.
 struct Method {
   std::string name;  // [a-z0-9_]+
-  std::string description;
+  MethodDescription description;
   std::function<std::unique_ptr<Estimator>(const Settings&)> make;
 };
 

@@ -23,6 +23,11 @@ void AppendField(double value, int digits, std::string* row) {
   *row += buffer.data();
 }
 
+void AppendInteger(int value, std::string* row) {
+  *row += ',';
+  *row += std::to_string(value);
+}
+
 std::string ScoreRow(const WalkOutcome& walk, const std::string& method,
                      const MethodOutcome& outcome) {
   const ErrorSummary errors = Summarise(outcome.errors);
@@ -36,7 +41,9 @@ std::string ScoreRow(const WalkOutcome& walk, const std::string& method,
                              errors.nees, walk.survey_distance_m, walk.duration_s}) {
     AppendField(value, 4, &row);
   }
-  return row + "," + std::string(StatusName(outcome.status)) + "\n";
+  row += ',';
+  row += StatusName(outcome.status);
+  return row + '\n';
 }
 
 Json Point(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
@@ -59,14 +66,15 @@ std::string FormatTrajectoryCsv(const Trajectory& trajectory) {
   for (const PoseEstimate& pose : trajectory.poses) {
     text += std::to_string(pose.time_ns);
     for (int i = 0; i < 3; ++i) AppendField(pose.position_m[i], 4, &text);
-    text += "," + std::to_string(pose.floor);
+    AppendInteger(pose.floor, &text);
     AppendField(pose.heading_rad, 5, &text);
     AppendField(pose.covariance_xy_m2(0, 0), 6, &text);
     AppendField(pose.covariance_xy_m2(0, 1), 6, &text);
     AppendField(pose.covariance_xy_m2(1, 1), 6, &text);
     AppendField(pose.variance_z_m2, 6, &text);
     AppendField(pose.variance_heading_rad2, 6, &text);
-    text += "," + std::to_string(pose.modes) + "\n";
+    AppendInteger(pose.modes, &text);
+    text += '\n';
   }
   return text;
 }

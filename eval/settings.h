@@ -4,6 +4,9 @@
 #include "factors/settings.h"
 #include "frontends/radio_map/trainer.h"
 #include "frontends/settings.h"
+#include "solvers/baselines/dead_reckoning.h"
+#include "solvers/baselines/discrete_smoother.h"
+#include "solvers/baselines/wknn.h"
 
 namespace walkgraph {
 
@@ -19,12 +22,27 @@ void Visit(Visitor& v, ScoringSettings& s) {
           "error of a waypoint per axis, in coverage and as an anchor, m");
 }
 
+// Parameters of the methods that are compared with the graph.
+struct BaselineSettings {
+  WknnSettings wknn;
+  DeadReckoningSettings pdr;
+  DiscreteSettings viterbi;
+};
+
+template <typename Visitor>
+void Visit(Visitor& v, BaselineSettings& s) {
+  v.Group("wknn", s.wknn);
+  v.Group("pdr", s.pdr);
+  v.Group("viterbi", s.viterbi);
+}
+
 // Everything that can be configured, made of the settings structs of the layers below. The defaults
 // are the documented reference that `walkgraph config` prints.
 struct Settings {
   FactorSettings factors;
   FrontendSettings frontend;
   TrainerSettings radio_map;
+  BaselineSettings baselines;
   ScoringSettings scoring;
 };
 

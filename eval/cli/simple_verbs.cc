@@ -17,10 +17,18 @@ int RunConfig(const CommandLine& line) {
   return kExitOk;
 }
 
+void Print(std::string_view label, std::string_view text) {
+  std::printf("%-14.*s %.*s\n", static_cast<int>(label.size()), label.data(),
+              static_cast<int>(text.size()), text.data());
+}
+
 int RunMethods(const CommandLine& line) {
   RequireNoArguments(line);
   for (const Method& method : Methods()) {
-    std::printf("%-14s %s\n", method.name.c_str(), method.description.c_str());
+    const MethodDescription& text = method.description;
+    Print(method.name, text.summary);
+    Print("", text.source);
+    if (!text.own_choices.empty()) Print("  our choice:", text.own_choices);
   }
   return kExitOk;
 }
