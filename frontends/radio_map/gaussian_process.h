@@ -16,9 +16,9 @@ struct FieldSample {
 
 // Matern-3/2 process over the floor around an unknown constant, plus independent noise.
 struct FieldPrior {
-  double length_m = 9;
-  double amplitude_db = 9;
-  double noise_db = 4.5;
+  double length_m = 10;
+  double amplitude_db = 12;
+  double noise_db = 4;
   double constant_mean_dbm = -80;
   double constant_sigma_db = 10;
 };

@@ -24,11 +24,11 @@ Eigen::Vector2d ControlPoint(const FieldGrid& grid, int column, int row) {
 }  // namespace
 
 HearingModel::HearingModel(const FieldGrid& grid, std::vector<Eigen::Vector2d> sweeps_m,
-                           const TrainerSettings& settings)
+                           double bandwidth_m, double prior_sweeps)
     : grid_(grid),
       sweeps_m_(std::move(sweeps_m)),
-      bandwidth_m_(settings.hear_bandwidth_m),
-      prior_sweeps_(settings.hear_prior_sweeps) {
+      bandwidth_m_(bandwidth_m),
+      prior_sweeps_(prior_sweeps) {
   sweep_count_.reserve(static_cast<std::size_t>(grid.columns) * grid.rows);
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {

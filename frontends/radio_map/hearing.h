@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "frontends/radio_map/radio_map.h"
-#include "frontends/radio_map/trainer.h"
 
 namespace walkgraph {
 
@@ -15,9 +14,10 @@ namespace walkgraph {
 // sweeps were made.
 class HearingModel {
  public:
-  // `sweeps_m` are the places of all sweeps of one radio on one floor.
-  HearingModel(const FieldGrid& grid, std::vector<Eigen::Vector2d> sweeps_m,
-               const TrainerSettings& settings);
+  // `sweeps_m` are the places of all sweeps of one radio on one floor; `prior_sweeps` the weight of
+  // the floor-wide rate.
+  HearingModel(const FieldGrid& grid, std::vector<Eigen::Vector2d> sweeps_m, double bandwidth_m,
+               double prior_sweeps);
 
   // Fills logit_hear of a field whose rectangle is set, and its background value, from the indices
   // of the sweeps that heard it.

@@ -1,10 +1,8 @@
 #include "frontends/radio_map/map_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <tuple>
 
 #include "frontends/radio_map/hearing.h"
@@ -56,45 +54,6 @@ Selection SelectForFit(const std::map<std::uint32_t, std::vector<FieldSample>>& 
     selection.push_back(eligible[i * eligible.size() / kFitTransmitters]);
   }
   return selection;
-}
-
-double LogDensity(const Selection& selection, const FieldPrior& prior) {
-  double sum = 0;
-  for (const auto* samples : selection) {
-    sum += FieldProcess(*samples, prior).LeaveOneWalkOut().log_density;
-  }
-  return sum;
-}
-
-// Tries every value of one parameter and keeps the best.
-bool Improve(const Selection& selection, std::span<const double> ladder, double FieldPrior::*field,
-             FieldPrior* prior, double* best) {
-  bool improved = false;
-  const double start = prior->*field;
-  for (const double value : ladder) {
-    if (value == start) continue;
-    FieldPrior trial = *prior;
-    trial.*field = value;
-    const double density = LogDensity(selection, trial);
-    if (density > *best) {
-      *best = density;
-      *prior = trial;
-      improved = true;
-    }
-  }
-  return improved;
-}
-
-double RootMeanSquareLeftOut(const Selection& selection, const FieldPrior& prior) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const auto* samples : selection) {
-    for (const double z : FieldProcess(*samples, prior).LeaveOneWalkOut().whitened) {
-      sum += z * z;
-      ++count;
-    }
-  }
-  return std::sqrt(sum / static_cast<double>(count));
 }
 
 void SetRectangle(const FieldGrid& grid, const std::vector<FieldSample>& samples, double margin_m,
@@ -181,22 +140,17 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
   return readings;
 }
 
-FieldModel FitFieldModel(const std::map<std::uint32_t, std::vector<FieldSample>>& samples) {
-  constexpr std::array kLengths{4.0, 6.0, 9.0, 13.0, 19.0, 28.0};
-  constexpr std::array kAmplitudes{5.0, 7.0, 9.0, 12.0};
-  constexpr std::array kNoises{3.0, 4.0, 4.5, 5.0, 6.0, 7.0};
-  FieldModel model;
-  const Selection selection = SelectForFit(samples);
-  if (selection.empty()) return model;
-  double best = LogDensity(selection, model.prior);
-  for (int round = 0; round < 2; ++round) {
-    bool improved = Improve(selection, kNoises, &FieldPrior::noise_db, &model.prior, &best);
-    improved |= Improve(selection, kLengths, &FieldPrior::length_m, &model.prior, &best);
-    improved |= Improve(selection, kAmplitudes, &FieldPrior::amplitude_db, &model.prior, &best);
-    if (!improved) break;
+double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>& samples,
+                         const FieldPrior& prior) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const auto* list : SelectForFit(samples)) {
+    for (const double z : FieldProcess(*list, prior).LeaveOneWalkOut().whitened) {
+      sum += z * z;
+      ++count;
+    }
   }
-  model.sigma_scale = RootMeanSquareLeftOut(selection, model.prior);
-  return model;
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 1.0;
 }
 
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
@@ -223,15 +177,19 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
 }
 
 RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                  const FieldModel& model, const TrainerSettings& settings) {
+                  const FieldModel& model, const TrainerSettings& settings,
+                  std::size_t keep_every) {
   RadioMap map;
   map.floor = floor;
   map.radio = radio;
   map.grid = grid;
-  const HearingModel hearing(grid, SweepPlaces(scans), settings);
+  const HearingModel hearing(grid, SweepPlaces(scans), model.hear_bandwidth_m,
+                             settings.hear_prior_sweeps);
   const auto heard = HeardIn(scans);
   float min_log_sigma = std::numeric_limits<float>::infinity();
+  std::size_t index = 0;
   for (const auto& [transmitter, samples] : CollectSamples(scans, settings)) {
+    if (index++ % keep_every != 0) continue;
     RadioMap::TransmitterField field;
     field.transmitter = transmitter;
     SetRectangle(grid, samples, settings.margin_m, &field);

@@ -18,26 +18,28 @@ using ScanList = std::vector<const SurveyScan*>;
 // What the fields of one radio on one floor have in common.
 struct FieldModel {
   FieldPrior prior;
-  double sigma_scale = 1;  // left-out residuals over their predicted sigma, root mean square
+  double hear_bandwidth_m = 2.5;  // of the kernel that counts heard and missed sweeps
+  double sigma_scale = 1;         // left-out residuals over their predicted sigma, root mean square
 };
 
 // The samples that each transmitter's field is trained on.
 std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList& scans,
                                                                  const TrainerSettings& settings);
 
-// Length scale, amplitude and noise by coordinate ascent of the predictive density of left-out
-// walks, on a fixed ladder of values and an even selection of transmitters; then the scale that
-// makes those residuals honest. The default prior where fewer than two walks heard anything in
-// common.
-FieldModel FitFieldModel(const std::map<std::uint32_t, std::vector<FieldSample>>& samples);
+// Root mean square of the readings' residuals over their predicted sigma when whole walks are left
+// out in turn, on an even selection of transmitters; 1 where no two walks heard anything in common.
+double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>& samples,
+                         const FieldPrior& prior);
 
 // The grid that covers a floor's bounding box and everything in `path`.
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
                        const TrainerSettings& settings);
 
-// The map without its calibration (n_eff and map_error_sigma_m stay 0).
+// The map without its calibration (n_eff and map_error_sigma_m stay 0). `keep_every` thins out the
+// transmitters for trials.
 RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                  const FieldModel& model, const TrainerSettings& settings);
+                  const FieldModel& model, const TrainerSettings& settings,
+                  std::size_t keep_every = 1);
 
 }  // namespace walkgraph
 

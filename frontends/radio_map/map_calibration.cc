@@ -3,17 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
 #include <set>
+#include <span>
 
 namespace walkgraph {
 namespace {
 
 constexpr int kFolds = 3;
 constexpr std::size_t kMinWalks = 6;
-constexpr std::size_t kWalksPerFold = 12;
+constexpr std::size_t kWalksPerFold = 16;
+// Trials and calibration see this many transmitters of a floor at most: more change neither.
+constexpr std::size_t kTrialTransmitters = 300;
+constexpr std::size_t kCalibrationTransmitters = 800;
 constexpr double kPieceSeconds = 20;
-constexpr double kShiftSpacingM = 2;
-constexpr int kShiftHalfCount = 12;
+constexpr double kShiftSpacingM = 2.5;
+constexpr int kShiftHalfCount = 8;
 constexpr int kShiftCount = (2 * kShiftHalfCount + 1) * (2 * kShiftHalfCount + 1);
 // Chance that a piece lies where nothing is known: keeps one lost walk from deciding the score.
 constexpr double kLostProbability = 0.02;
@@ -34,28 +41,34 @@ struct ScanCost {
   std::vector<double> nats;
 };
 
+Eigen::Vector2d MeanPosition(const SurveyScan& scan) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const SurveyReading& reading : scan.readings) sum += reading.position_m.cast<double>();
+  return sum / static_cast<double>(scan.readings.size());
+}
+
 ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan) {
   ScanCost cost;
   cost.time_ns = scan.printed_ns;
   cost.nats.assign(kShiftCount, 0.0);
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  // The spread of a scan's readings along the walk matters less than the grid of shifts.
+  const Eigen::Vector2d center = MeanPosition(scan);
+  std::vector<std::pair<int, double>> known;
   for (const SurveyReading& reading : scan.readings) {
-    center += reading.position_m.cast<double>();
     const int field = map.FindField(reading.transmitter);
-    if (field < 0) continue;
-    ++cost.readings;
-    for (int i = 0; i < kShiftCount; ++i) {
-      const Eigen::Vector2d at = reading.position_m.cast<double>() + Shift(i);
-      const FieldValue value = map.Evaluate(field, EvaluateBasis(map.grid, at));
-      const double z = (reading.rssi_dbm - value.mean_dbm) * std::exp(-value.log_sigma);
-      // -log p_hear + log(1 - p_hear) = -logit: the silence field counts everyone as missed.
-      cost.nats[static_cast<std::size_t>(i)] += 0.5 * z * z + value.log_sigma - value.logit_hear;
-    }
+    if (field >= 0) known.emplace_back(field, reading.rssi_dbm);
   }
-  center /= static_cast<double>(scan.readings.size());
+  cost.readings = known.size();
   for (int i = 0; i < kShiftCount; ++i) {
-    cost.nats[static_cast<std::size_t>(i)] +=
-        map.Silence(EvaluateBasis(map.grid, center + Shift(i)), nullptr);
+    const FieldBasis basis = EvaluateBasis(map.grid, center + Shift(i));
+    double nats = map.Silence(basis, nullptr);
+    for (const auto& [field, rssi_dbm] : known) {
+      const FieldValue value = map.EvaluateValue(field, basis);
+      const double z = (rssi_dbm - value.mean_dbm) * std::exp(-value.log_sigma);
+      // -log p_hear + log(1 - p_hear) = -logit: the silence field counts everyone as missed.
+      nats += 0.5 * z * z + value.log_sigma - value.logit_hear;
+    }
+    cost.nats[static_cast<std::size_t>(i)] = nats;
   }
   return cost;
 }
@@ -113,48 +126,124 @@ double PieceScore(const Piece& piece, double n_eff, double map_error_sigma_m) {
   return LogScoreAtTruth(sum, map_error_sigma_m) + alone_score / static_cast<double>(piece.size());
 }
 
-MapCalibration BestCalibration(const std::vector<Piece>& pieces) {
-  MapCalibration best;
-  double best_score = -1e300;
+struct Scored {
+  MapCalibration calibration;
+  double score = -std::numeric_limits<double>::infinity();
+};
+
+Scored BestCalibration(const std::vector<Piece>& pieces) {
+  Scored best;
   for (const double n_eff : kNEff) {
     for (const double sigma_m : kMapErrors) {
       double score = 0;
       for (const Piece& piece : pieces) score += PieceScore(piece, n_eff, sigma_m);
-      if (score > best_score) {
-        best_score = score;
-        best = {n_eff, sigma_m};
-      }
+      if (score > best.score) best = {{n_eff, sigma_m}, score};
     }
   }
   return best;
 }
 
-}  // namespace
+// The scans of a floor by walk, and the maps that leave one third of the walks out.
+class HeldOut {
+ public:
+  HeldOut(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
+          const TrainerSettings& settings, std::size_t max_transmitters)
+      : floor_(floor), radio_(radio), grid_(grid), settings_(settings) {
+    std::set<std::uint32_t> transmitters;
+    for (const SurveyScan* scan : scans) {
+      by_walk_[scan->walk].push_back(scan);
+      for (const SurveyReading& reading : scan->readings) transmitters.insert(reading.transmitter);
+    }
+    keep_every_ = (transmitters.size() + max_transmitters - 1) / max_transmitters;
+  }
 
-MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                            const FieldModel& model, const TrainerSettings& settings) {
-  std::map<std::uint32_t, ScanList> by_walk;
-  for (const SurveyScan* scan : scans) by_walk[scan->walk].push_back(scan);
-  if (by_walk.size() < kMinWalks) return {};
-  std::vector<Piece> pieces;
-  for (int fold = 0; fold < kFolds; ++fold) {
+  bool enough() const { return by_walk_.size() >= kMinWalks; }
+
+  void AppendFold(int fold, const FieldModel& model, std::vector<Piece>* pieces) const {
     ScanList training;
     std::vector<const ScanList*> held_out;
     int index = 0;
-    for (const auto& [walk, list] : by_walk) {
+    for (const auto& [walk, list] : by_walk_) {
       if (index++ % kFolds == fold) {
         held_out.push_back(&list);
       } else {
         training.insert(training.end(), list.begin(), list.end());
       }
     }
-    const RadioMap map = BuildMap(floor, radio, grid, training, model, settings);
+    const RadioMap map = BuildMap(floor_, radio_, grid_, training, model, settings_, keep_every_);
     const std::size_t count = std::min(kWalksPerFold, held_out.size());
     for (std::size_t i = 0; i < count; ++i) {
-      AppendPieces(map, *held_out[i * held_out.size() / count], &pieces);
+      AppendPieces(map, *held_out[i * held_out.size() / count], pieces);
     }
   }
-  return pieces.empty() ? MapCalibration{} : BestCalibration(pieces);
+
+ private:
+  int floor_;
+  Radio radio_;
+  const FieldGrid& grid_;
+  const TrainerSettings& settings_;
+  std::map<std::uint32_t, ScanList> by_walk_;
+  std::size_t keep_every_ = 1;
+};
+
+double TrialScore(const HeldOut& held_out, const FieldModel& model) {
+  std::vector<Piece> pieces;
+  held_out.AppendFold(0, model, &pieces);
+  return BestCalibration(pieces).score;
+}
+
+// Moves one parameter along its ladder, from the value it has, as long as the score grows.
+void Climb(const HeldOut& held_out, std::span<const double> ladder,
+           const std::function<double&(FieldModel&)>& parameter, FieldModel* model, double* score) {
+  const auto start = std::find(ladder.begin(), ladder.end(), parameter(*model));
+  for (const std::ptrdiff_t direction : {-1, 1}) {
+    bool moved = false;
+    for (auto at = start - ladder.begin() + direction; at >= 0 && at < std::ssize(ladder);
+         at += direction) {
+      FieldModel trial = *model;
+      parameter(trial) = ladder[static_cast<std::size_t>(at)];
+      const double trial_score = TrialScore(held_out, trial);
+      if (!(trial_score > *score)) break;
+      *score = trial_score;
+      *model = trial;
+      moved = true;
+    }
+    if (moved) return;
+  }
+}
+
+}  // namespace
+
+FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
+                            const TrainerSettings& settings) {
+  constexpr std::array kLengths{5.0, 7.0, 10.0, 14.0, 20.0, 28.0};
+  constexpr std::array kBandwidths{1.2, 1.7, 2.5, 3.5, 5.0, 7.0};
+  constexpr std::array kNoises{2.0, 3.0, 4.0, 5.0, 6.0};
+  FieldModel model;
+  const HeldOut held_out(floor, radio, grid, scans, settings, kTrialTransmitters);
+  if (held_out.enough()) {
+    double score = TrialScore(held_out, model);
+    Climb(
+        held_out, kLengths, [](FieldModel& m) -> double& { return m.prior.length_m; }, &model,
+        &score);
+    Climb(
+        held_out, kBandwidths, [](FieldModel& m) -> double& { return m.hear_bandwidth_m; }, &model,
+        &score);
+    Climb(
+        held_out, kNoises, [](FieldModel& m) -> double& { return m.prior.noise_db; }, &model,
+        &score);
+  }
+  model.sigma_scale = LeftOutSigmaScale(CollectSamples(scans, settings), model.prior);
+  return model;
+}
+
+MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
+                            const FieldModel& model, const TrainerSettings& settings) {
+  const HeldOut held_out(floor, radio, grid, scans, settings, kCalibrationTransmitters);
+  if (!held_out.enough()) return {};
+  std::vector<Piece> pieces;
+  for (int fold = 0; fold < kFolds; ++fold) held_out.AppendFold(fold, model, &pieces);
+  return BestCalibration(pieces).calibration;
 }
 
 }  // namespace walkgraph

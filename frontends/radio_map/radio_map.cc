@@ -57,11 +57,12 @@ int RadioMap::FindField(std::uint32_t transmitter) const {
   return static_cast<int>(it - fields.begin());
 }
 
-FieldValue RadioMap::Evaluate(int field, const FieldBasis& basis) const {
-  const TransmitterField& f = fields[static_cast<std::size_t>(field)];
-  // Deviations from the background: the weights sum to one and their derivatives to zero, so a
-  // control point outside the rectangle adds nothing.
-  FieldValue value{f.background_mean_dbm, f.background_log_sigma, f.background_logit_hear};
+namespace {
+
+// Calls visit(k, index) for every control point of the basis inside the field's rectangle: k counts
+// the 16 of the basis, index those of the field.
+template <typename Visit>
+void ForControls(const RadioMap::TransmitterField& f, const FieldBasis& basis, Visit&& visit) {
   const int first_row = std::max(0, f.row - basis.row);
   const int last_row = std::min(4, f.row + f.rows - basis.row);
   const int first_column = std::max(0, f.column - basis.column);
@@ -69,20 +70,41 @@ FieldValue RadioMap::Evaluate(int field, const FieldBasis& basis) const {
   for (int r = first_row; r < last_row; ++r) {
     const int line = (basis.row + r - f.row) * f.columns + basis.column - f.column;
     for (int c = first_column; c < last_column; ++c) {
-      const std::size_t at = static_cast<std::size_t>(line + c);
-      const int k = 4 * r + c;
-      const double mean = f.mean_dbm[at] - f.background_mean_dbm;
-      const double log_sigma = f.log_sigma[at] - f.background_log_sigma;
-      const double logit = f.logit_hear[at] - f.background_logit_hear;
-      const Eigen::Vector2d slope(basis.d_dx[k], basis.d_dy[k]);
-      value.mean_dbm += basis.weight[k] * mean;
-      value.log_sigma += basis.weight[k] * log_sigma;
-      value.logit_hear += basis.weight[k] * logit;
-      value.d_mean += slope * mean;
-      value.d_log_sigma += slope * log_sigma;
-      value.d_logit_hear += slope * logit;
+      visit(static_cast<std::size_t>(4 * r + c), static_cast<std::size_t>(line + c));
     }
   }
+}
+
+}  // namespace
+
+// Both evaluate deviations from the background: the weights sum to one and their derivatives to
+// zero, so a control point outside the rectangle adds nothing.
+FieldValue RadioMap::Evaluate(int field, const FieldBasis& basis) const {
+  const TransmitterField& f = fields[static_cast<std::size_t>(field)];
+  FieldValue value{f.background_mean_dbm, f.background_log_sigma, f.background_logit_hear};
+  ForControls(f, basis, [&](std::size_t k, std::size_t at) {
+    const double mean = f.mean_dbm[at] - f.background_mean_dbm;
+    const double log_sigma = f.log_sigma[at] - f.background_log_sigma;
+    const double logit = f.logit_hear[at] - f.background_logit_hear;
+    const Eigen::Vector2d slope(basis.d_dx[k], basis.d_dy[k]);
+    value.mean_dbm += basis.weight[k] * mean;
+    value.log_sigma += basis.weight[k] * log_sigma;
+    value.logit_hear += basis.weight[k] * logit;
+    value.d_mean += slope * mean;
+    value.d_log_sigma += slope * log_sigma;
+    value.d_logit_hear += slope * logit;
+  });
+  return value;
+}
+
+FieldValue RadioMap::EvaluateValue(int field, const FieldBasis& basis) const {
+  const TransmitterField& f = fields[static_cast<std::size_t>(field)];
+  FieldValue value{f.background_mean_dbm, f.background_log_sigma, f.background_logit_hear};
+  ForControls(f, basis, [&](std::size_t k, std::size_t at) {
+    value.mean_dbm += basis.weight[k] * (f.mean_dbm[at] - f.background_mean_dbm);
+    value.log_sigma += basis.weight[k] * (f.log_sigma[at] - f.background_log_sigma);
+    value.logit_hear += basis.weight[k] * (f.logit_hear[at] - f.background_logit_hear);
+  });
   return value;
 }
 

@@ -68,6 +68,8 @@ class RadioMap {
   // Index into `fields`, or -1 where the floor never heard the transmitter.
   int FindField(std::uint32_t transmitter) const;
   FieldValue Evaluate(int field, const FieldBasis& basis) const;
+  // The same without gradients, several times faster.
+  FieldValue EvaluateValue(int field, const FieldBasis& basis) const;
   // Value and gradient (nats, nats/m) of silence_nats.
   double Silence(const FieldBasis& basis, Eigen::Vector2d* gradient) const;
 };

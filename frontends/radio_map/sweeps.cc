@@ -6,15 +6,17 @@
 namespace walkgraph {
 
 std::vector<Sweep> GroupSweeps(const Evidence& evidence, Radio radio) {
+  // Wi-Fi rows of one scan share their printed time; beacons report one by one.
+  const TimeNs bin_ns = radio == Radio::kBeacon ? kNsPerSecond : 1;
   std::map<TimeNs, Sweep> by_print;
   for (std::size_t i = 0; i < evidence.readings.size(); ++i) {
     const RadioReading& reading = evidence.readings[i];
     if (evidence.transmitters[reading.transmitter].radio != radio) continue;
-    by_print[reading.printed_ns].readings.push_back(i);
+    by_print[reading.printed_ns / bin_ns].readings.push_back(i);
   }
   std::vector<Sweep> sweeps;
   sweeps.reserve(by_print.size());
-  for (auto& [printed_ns, sweep] : by_print) {
+  for (auto& [bin, sweep] : by_print) {
     // Offsets from the first keep the mean of 64-bit times exact enough.
     const TimeNs first = evidence.readings[sweep.readings.front()].heard_ns;
     TimeNs sum = 0;

@@ -8,8 +8,9 @@
 
 namespace walkgraph {
 
-// The readings of one radio that one sweep of the phone brought: what was printed together. Beacon
-// reports carry a common printed time per second (see the readings frontend).
+// The readings of one radio that one sweep of the phone brought: for Wi-Fi what was printed
+// together, for beacons, which report one by one, what was printed within the same second of the
+// clock.
 struct Sweep {
   TimeNs mean_heard_ns = 0;
   std::vector<std::size_t> readings;  // indices into Evidence::readings, by time heard

@@ -80,7 +80,7 @@ void TrainMaps(const TrainerSettings& settings, Site* site) {
         if (scan.floor == floor && scan.radio == radio) scans.push_back(&scan);
       }
       if (scans.empty()) continue;
-      const FieldModel model = FitFieldModel(CollectSamples(scans, settings));
+      const FieldModel model = SelectFieldModel(floor, radio, grid, scans, settings);
       RadioMap map = BuildMap(floor, radio, grid, scans, model, settings);
       const MapCalibration calibration = CalibrateMap(floor, radio, grid, scans, model, settings);
       map.n_eff = calibration.n_eff;

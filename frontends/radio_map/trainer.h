@@ -12,8 +12,8 @@
 namespace walkgraph {
 
 struct TrainerSettings {
-  double grid_spacing_m = 3.0;     // of the control points
-  double sample_spacing_m = 2.0;   // readings of one walk closer than this become one sample
+  double grid_spacing_m = 4.0;     // of the control points
+  double sample_spacing_m = 3.0;   // readings of one walk closer than this become one sample
   double margin_m = 15.0;          // of a transmitter's field around the places that heard it
   double hear_bandwidth_m = 5.0;   // of the kernel that counts heard and missed sweeps
   double hear_prior_sweeps = 1.0;  // weight of the floor-wide rate in the probability of hearing
