@@ -20,10 +20,12 @@ struct SensorSamples {
   std::vector<T> value;
 };
 
-struct WifiRow {
+// Rows wait too, because a Wi-Fi row's sensor time means something only with the clock.
+struct PendingRow {
+  Radio radio = Radio::kWifi;
+  std::string_view name;
   TimeNs printed_ns = 0;
-  TimeNs sensor_ns = 0;
-  std::string_view bssid;
+  std::optional<TimeNs> sensor_ns;
   double rssi_dbm = 0;
 };
 
@@ -48,7 +50,7 @@ class GetSensorDataReader {
   bool ReadBle(TimeNs time, FieldReader fields);
   bool ReadPosition(TimeNs time, FieldReader fields);
   void AlignClocks();
-  void AddWifiRows();
+  void AddRadioRows();
 
   ReadReport* report_;
   RecordingBuilder builder_;
@@ -59,7 +61,7 @@ class GetSensorDataReader {
   SensorSamples<Eigen::Vector3d> magnetic_field_;
   SensorSamples<Eigen::Vector3d> orientation_;
   SensorSamples<double> pressure_;
-  std::vector<WifiRow> wifi_;
+  std::vector<PendingRow> radio_rows_;
 };
 
 bool ParseVector(FieldReader* fields, Eigen::Vector3d* vector) {
@@ -113,25 +115,27 @@ bool GetSensorDataReader::ReadPressure(TimeNs time, FieldReader fields) {
 bool GetSensorDataReader::ReadWifi(TimeNs time, std::string_view values) {
   // From the right, because an SSID may hold anything. A row may end in a separator.
   if (values.ends_with(';')) values.remove_suffix(1);
-  WifiRow row;
+  PendingRow row;
   row.printed_ns = time;
   const std::string_view rssi = TakeLastField(&values, ';');
   TakeLastField(&values, ';');  // frequency
-  row.bssid = TakeLastField(&values, ';');
-  if (row.bssid.empty() || !ParseDouble(rssi, &row.rssi_dbm)) return false;
+  row.name = TakeLastField(&values, ';');
+  if (row.name.empty() || !ParseDouble(rssi, &row.rssi_dbm)) return false;
   FieldReader fields(values, ';');
-  if (!ParseSecondsNs(fields.Next(), &row.sensor_ns)) return false;
+  if (!ParseSecondsNs(fields.Next(), &row.sensor_ns.emplace())) return false;
   if (fields.Rest().find(';') != std::string_view::npos) ++report_->hazards["separator_in_ssid"];
-  wifi_.push_back(row);
+  radio_rows_.push_back(row);
   return true;
 }
 
 bool GetSensorDataReader::ReadBle(TimeNs time, FieldReader fields) {
   fields.Next();  // iBeacon or Eddystone
-  const std::string_view mac = fields.Next();
-  double rssi_dbm = 0;
-  if (mac.empty() || !ParseDouble(fields.Next(), &rssi_dbm)) return false;
-  builder_.AddRadioRow(Radio::kBeacon, mac, time, time, rssi_dbm);
+  PendingRow row;
+  row.radio = Radio::kBeacon;
+  row.printed_ns = time;
+  row.name = fields.Next();
+  if (row.name.empty() || !ParseDouble(fields.Next(), &row.rssi_dbm)) return false;
+  radio_rows_.push_back(row);
   return true;
 }
 
@@ -181,14 +185,15 @@ void GetSensorDataReader::AlignClocks() {
   add(pressure_, &RecordingBuilder::AddPressure);
 }
 
-void GetSensorDataReader::AddWifiRows() {
+void GetSensorDataReader::AddRadioRows() {
   const std::optional<TimeNs> offset = ClockOffset(acceleration_.clocks);
-  for (const WifiRow& row : wifi_) {
-    TimeNs heard = offset ? row.sensor_ns + *offset : row.printed_ns;
+  for (const PendingRow& row : radio_rows_) {
+    TimeNs heard = row.printed_ns;
+    if (row.sensor_ns && offset) heard = *row.sensor_ns + *offset;
     if (heard > row.printed_ns && heard - row.printed_ns <= kWifiClockToleranceNs) {
       heard = row.printed_ns;
     }
-    builder_.AddRadioRow(Radio::kWifi, row.bssid, row.printed_ns, heard, row.rssi_dbm);
+    builder_.AddRadioRow(row.radio, row.name, row.printed_ns, heard, row.rssi_dbm);
   }
 }
 
@@ -208,7 +213,7 @@ void GetSensorDataReader::Read(std::string_view text, Walk* walk) {
   report_->lines = lines.number();
   counter_.AddTo(&report_->records);
   AlignClocks();
-  AddWifiRows();
+  AddRadioRows();
   builder_.Finish(&walk->recording, &walk->truth);
   walk->truth.frame = TruthFrame::kWgs84;
   walk->recording.device = device_;

@@ -175,32 +175,54 @@ void RecordingBuilder::AddWaypoint(TimeNs time, const Eigen::Vector2d& position,
   }
 }
 
-void RecordingBuilder::DropStrayTimes() {
+std::vector<TimeNs> RecordingBuilder::AllTimes() {
   std::vector<TimeNs> times;
-  ForEachStream(&recording_, [&times](auto* stream) {
+  ForEachStream(&recording_, [&times](const auto* stream) {
     times.insert(times.end(), stream->time_ns.begin(), stream->time_ns.end());
   });
-  std::vector<RadioRow>& rows = recording_.radio_rows;
-  for (const RadioRow& row : rows) times.push_back(row.printed_ns);
+  for (const RadioRow& row : recording_.radio_rows) times.push_back(row.printed_ns);
+  for (const Waypoint& waypoint : truth_.waypoints) times.push_back(waypoint.time_ns);
+  return times;
+}
+
+void RecordingBuilder::DropStrayTimes() {
+  std::vector<TimeNs> times = AllTimes();
   if (times.empty()) return;
+  const auto [low, high] = std::minmax_element(times.begin(), times.end());
+  if (*high - *low <= kLongestWalkNs) return;
   const auto middle_at = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::nth_element(times.begin(), middle_at, times.end());
   const TimeNs middle = *middle_at;
   ForEachStream(&recording_, [&](auto* stream) { DropStrays(middle, stream, report_); });
   const auto stray = [middle](TimeNs time) { return std::llabs(time - middle) > kLongestWalkNs; };
   const std::size_t dropped =
-      std::erase_if(rows, [&](const RadioRow& row) { return stray(row.printed_ns); }) +
+      std::erase_if(recording_.radio_rows,
+                    [&](const RadioRow& row) { return stray(row.printed_ns); }) +
       std::erase_if(truth_.waypoints, [&](const Waypoint& w) { return stray(w.time_ns); });
   if (dropped > 0) report_->hazards["stray_time"] += static_cast<std::int64_t>(dropped);
 }
 
+// Each radio is judged alone, like a sensor: a format may hold one radio's rows behind the other's.
 void RecordingBuilder::OrderRadioRows() {
-  std::vector<TimeNs> printed;
-  printed.reserve(recording_.radio_rows.size());
-  for (const RadioRow& row : recording_.radio_rows) printed.push_back(row.printed_ns);
-  if (const auto order = OrderByTime(printed, EqualTimes::kKeep, report_)) {
-    Select(*order, &recording_.radio_rows);
+  const std::vector<RadioRow>& rows = recording_.radio_rows;
+  std::vector<std::uint32_t> kept;
+  for (int radio = 0; radio < kRadioCount; ++radio) {
+    std::vector<std::uint32_t> members;
+    std::vector<TimeNs> printed;
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+      if (recording_.transmitters[rows[i].transmitter].radio != static_cast<Radio>(radio)) continue;
+      members.push_back(i);
+      printed.push_back(rows[i].printed_ns);
+    }
+    if (const auto order = OrderByTime(printed, EqualTimes::kKeep, report_)) {
+      Select(*order, &members);
+    }
+    kept.insert(kept.end(), members.begin(), members.end());
   }
+  std::sort(kept.begin(), kept.end(), [&rows](std::uint32_t a, std::uint32_t b) {
+    return std::pair(rows[a].printed_ns, a) < std::pair(rows[b].printed_ns, b);
+  });
+  Select(kept, &recording_.radio_rows);
 }
 
 void RecordingBuilder::OrderWaypoints() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "data/dataset.h"
 #include "data/read_report.h"
@@ -53,6 +54,7 @@ class RecordingBuilder {
   void AddVector(Stream<Eigen::Vector3d>* stream, TimeNs time, const Eigen::Vector3d& value,
                  double largest);
   std::uint32_t FindOrAddTransmitter(Radio radio, std::string_view name);
+  std::vector<TimeNs> AllTimes();
   void DropStrayTimes();
   void OrderRadioRows();
   void OrderWaypoints();

@@ -1,6 +1,7 @@
 #include "data/formats/text_input.h"
 
 #include <fstream>
+#include <limits>
 
 #include "data/input_error.h"
 
@@ -32,6 +33,16 @@ std::string ReadFileBeginning(const std::string& path, std::size_t limit) {
   return bytes;
 }
 
+bool ParseLongDouble(std::string_view field, double* value) {
+  const char* end = field.data() + field.size();
+  const auto result = std::from_chars(field.data(), end, *value);
+  if (result.ec == std::errc::result_out_of_range && result.ptr == end) {
+    *value = std::numeric_limits<double>::infinity();
+    return true;
+  }
+  return result.ec == std::errc() && result.ptr == end;
+}
+
 bool ParseNanosecondsNs(std::string_view field, TimeNs* time_ns) {
   return ParseInt64(field, time_ns) && *time_ns <= kLargestSeconds * kNsPerSecond &&
          *time_ns >= -kLargestSeconds * kNsPerSecond;
@@ -45,7 +56,7 @@ bool ParseMillisecondsNs(std::string_view field, TimeNs* time_ns) {
   return true;
 }
 
-bool ParseSecondsNs(std::string_view field, TimeNs* time_ns) {
+bool ParseLongSecondsNs(std::string_view field, TimeNs* time_ns) {
   const bool negative = !field.empty() && field.front() == '-';
   if (negative) field.remove_prefix(1);
   const char* end = field.data() + field.size();

@@ -2,9 +2,9 @@
 #define WALKGRAPH_DATA_FORMATS_TEXT_INPUT_H_
 
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <string_view>
 
@@ -90,15 +90,55 @@ inline std::string_view TakeLastField(std::string_view* line, char separator) {
   return field;
 }
 
-// True where the whole field is one number. Infinities and NaN parse: the caller judges values.
-inline bool ParseDouble(std::string_view field, double* value) {
-  const char* end = field.data() + field.size();
-  const auto result = std::from_chars(field.data(), end, *value);
-  if (result.ec == std::errc::result_out_of_range && result.ptr == end) {
-    *value = std::numeric_limits<double>::infinity();
-    return true;
+// A number as sensors print it: a few digits with at most one point among or behind them.
+struct ShortDecimal {
+  std::int64_t digits = 0;   // without the point, below 10^15
+  std::size_t decimals = 0;  // how many of them stand behind the point
+  bool negative = false;
+};
+
+// False where the field is anything else.
+inline bool ScanShortDecimal(std::string_view field, ShortDecimal* decimal) {
+  constexpr std::ptrdiff_t kLongest = 15;
+  const char* p = field.data();
+  const char* end = p + field.size();
+  decimal->negative = p != end && *p == '-';
+  if (decimal->negative) ++p;
+  const char* begin = p;
+  const char* point = nullptr;
+  if (p == end || end - p > kLongest) return false;
+  std::int64_t digits = 0;
+  for (; p != end; ++p) {
+    const unsigned digit = static_cast<unsigned char>(*p) - unsigned{'0'};
+    if (digit <= 9) {
+      digits = digits * 10 + digit;
+    } else if (*p == '.' && point == nullptr && p != begin) {
+      point = p;
+    } else {
+      return false;
+    }
   }
-  return result.ec == std::errc() && result.ptr == end;
+  decimal->digits = digits;
+  decimal->decimals = point == nullptr ? 0 : static_cast<std::size_t>(end - point - 1);
+  return true;
+}
+
+// The rest of ParseDouble: exponents, many digits, infinities, NaN, and what is no number.
+bool ParseLongDouble(std::string_view field, double* value);
+
+// True where the whole field is one number, which is rounded correctly. Infinities and NaN parse:
+// the caller judges values.
+//
+// Digits and power of ten of a short number are both exact in a double, so that one division rounds
+// correctly (Clinger, PLDI 1990); std::from_chars does the rest, at a third of the speed.
+inline bool ParseDouble(std::string_view field, double* value) {
+  constexpr double kPowerOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6, 1e7,
+                                    1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
+  ShortDecimal decimal;
+  if (!ScanShortDecimal(field, &decimal)) return ParseLongDouble(field, value);
+  const double magnitude = static_cast<double>(decimal.digits) / kPowerOfTen[decimal.decimals];
+  *value = decimal.negative ? -magnitude : magnitude;
+  return true;
 }
 
 inline bool ParseInt64(std::string_view field, std::int64_t* value) {
@@ -113,9 +153,24 @@ bool ParseNanosecondsNs(std::string_view field, TimeNs* time_ns);
 // A time in milliseconds, exact. False where it is no integer or does not fit.
 bool ParseMillisecondsNs(std::string_view field, TimeNs* time_ns);
 
+// The rest of ParseSecondsNs: many digits, and what is no time.
+bool ParseLongSecondsNs(std::string_view field, TimeNs* time_ns);
+
 // A time in seconds with up to nine decimals (further ones are cut), exact: it never passes through
 // floating point. False where it is no such number or does not fit.
-bool ParseSecondsNs(std::string_view field, TimeNs* time_ns);
+inline bool ParseSecondsNs(std::string_view field, TimeNs* time_ns) {
+  constexpr TimeNs kUnitNs[] = {1'000'000'000, 100'000'000, 10'000'000, 1'000'000, 100'000,
+                                10'000,        1'000,       100,        10,        1};
+  constexpr std::int64_t kLargestDigits = 1'000'000'000;  // with the largest unit still 30 years
+  ShortDecimal decimal;
+  if (!ScanShortDecimal(field, &decimal) || decimal.decimals > 9 ||
+      decimal.digits > kLargestDigits) {
+    return ParseLongSecondsNs(field, time_ns);
+  }
+  const TimeNs magnitude = decimal.digits * kUnitNs[decimal.decimals];
+  *time_ns = decimal.negative ? -magnitude : magnitude;
+  return true;
+}
 
 }  // namespace walkgraph
 

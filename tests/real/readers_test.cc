@@ -159,6 +159,22 @@ TEST_F(RealReaders, IpinSamplesHaveTheSensorsEvenIntervals) {
   }
 }
 
+TEST_F(RealReaders, NoRadioRowIsLost) {
+  for (const std::string& path : {Ilc20Site() + "/F1", Ipin2023()}) {
+    for (const WalkFile& file : OpenDataset(path).walks) {
+      const Walk walk = ReadWalk(file);
+      std::int64_t rows = 0;
+      for (const char* type : {"TYPE_WIFI", "TYPE_BEACON", "WIFI", "BLE4"}) {
+        const auto found = walk.report.records.find(type);
+        if (found != walk.report.records.end()) rows += found->second;
+      }
+      EXPECT_EQ(static_cast<std::int64_t>(walk.recording.radio_rows.size()),
+                rows - walk.report.HazardCount("out_of_range"))
+          << file.id;
+    }
+  }
+}
+
 // Between seconds 40 and 60 the phone stands still: there the rotation vector must turn the
 // measured specific force onto the vertical.
 TEST_F(RealReaders, IpinRotationVectorAgreesWithGravity) {
