@@ -22,15 +22,15 @@ Evidence BuildEvidence(const Recording& recording, const FrontendSettings& setti
   evidence.end_ns = recording.end_ns;
 
   const Stream<Eigen::Vector3d> up = EstimateUp(recording, settings.gravity);
-  const std::vector<TimeSpan> handling = FindHandling(up, settings.handling);
+  evidence.gyro_yaw_rad =
+      IntegrateYaw(recording.gyroscope_radps, up, settings.yaw, &evidence.counts);
+  const std::vector<TimeSpan> handling = FindHandling(up, evidence.gyro_yaw_rad, settings.handling);
   const Stream<double> gait = GaitSignal(recording.accelerometer_mps2, up, settings.steps);
   evidence.steps = DetectSteps(gait, handling, settings.steps, &evidence.counts);
   if (!up.empty()) {
     evidence.motion =
         ClassifyMotion(recording.begin_ns, recording.end_ns, handling, evidence.steps);
   }
-  evidence.gyro_yaw_rad =
-      IntegrateYaw(recording.gyroscope_radps, up, settings.yaw, &evidence.counts);
   HeadingStream heading =
       AbsoluteHeading(recording, up, evidence.gyro_yaw_rad, settings.heading, &evidence.counts);
   evidence.absolute_heading_rad = std::move(heading.heading_rad);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "frontends/signal.h"
 
@@ -19,24 +20,80 @@ void Append(TimeNs begin_ns, TimeNs end_ns, MotionState state, std::vector<Motio
   }
 }
 
-}  // namespace
-
-std::vector<TimeSpan> FindHandling(const Stream<Eigen::Vector3d>& up,
-                                   const HandlingSettings& settings) {
-  // A mean of unit vectors of length r has circular standard deviation sqrt(-2 log r).
-  const double calm_length = std::exp(-0.5 * settings.tilt_spread_rad * settings.tilt_spread_rad);
-  const TimeNs merge_ns = DurationNs(settings.merge_gap_s);
-  const std::vector<Eigen::Vector3d> mean = CenteredMean(up.time_ns, up.value, settings.window_s);
+// Every run of samples that `shows` the sign, half a window longer on both sides.
+template <typename Predicate>
+std::vector<TimeSpan> SpansWhere(const std::vector<TimeNs>& time_ns, double window_s,
+                                 const Predicate& shows) {
+  const TimeNs half_ns = DurationNs(window_s / 2);
   std::vector<TimeSpan> spans;
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    if (mean[i].norm() >= calm_length) continue;
-    const TimeNs t = up.time_ns[i];
-    if (spans.empty() || t > spans.back().end_ns + merge_ns) {
-      spans.push_back({.begin_ns = t, .end_ns = t});
-    }
-    spans.back().end_ns = t;
+  bool inside = false;
+  for (std::size_t i = 0; i < time_ns.size(); ++i) {
+    const bool now = shows(i);
+    if (now && !inside) spans.push_back({.begin_ns = time_ns[i] - half_ns, .end_ns = 0});
+    if (now) spans.back().end_ns = time_ns[i] + half_ns;
+    inside = now;
   }
   return spans;
+}
+
+std::vector<TimeSpan> TurnedOver(const Stream<Eigen::Vector3d>& up,
+                                 const HandlingSettings& settings) {
+  // A mean of unit vectors of length r has circular standard deviation sqrt(-2 log r).
+  const double calm_length = std::exp(-0.5 * settings.tilt_spread_rad * settings.tilt_spread_rad);
+  const std::vector<Eigen::Vector3d> mean =
+      CenteredMean(up.time_ns, up.value, settings.tilt_window_s);
+  return SpansWhere(up.time_ns, settings.tilt_window_s,
+                    [&](std::size_t i) { return mean[i].norm() < calm_length; });
+}
+
+std::vector<TimeSpan> Swayed(const Stream<double>& yaw_rad, const HandlingSettings& settings) {
+  Stream<double> yaw = yaw_rad;
+  yaw.value = CenteredMean(yaw.time_ns, yaw.value, settings.yaw_smoothing_s);
+  const std::size_t n = yaw.size();
+  std::vector<double> way(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) {
+    way[i] = way[i - 1] + std::abs(yaw.value[i] - yaw.value[i - 1]);
+  }
+  const TimeNs half_ns = DurationNs(settings.sway_window_s / 2);
+  std::size_t first = 0;
+  std::size_t last = 0;
+  return SpansWhere(yaw.time_ns, settings.sway_window_s, [&](std::size_t i) {
+    while (yaw.time_ns[first] < yaw.time_ns[i] - half_ns) ++first;
+    while (last + 1 < n && yaw.time_ns[last + 1] <= yaw.time_ns[i] + half_ns) ++last;
+    const double net = std::abs(yaw.value[last] - yaw.value[first]);
+    return way[last] - way[first] - net > settings.sway_rad;
+  });
+}
+
+// Sorted, cut to [begin_ns, end_ns] and without gaps of up to merge_gap_s, to its ends included.
+std::vector<TimeSpan> Join(std::vector<TimeSpan> spans, TimeNs begin_ns, TimeNs end_ns,
+                           double merge_gap_s) {
+  const TimeNs gap_ns = DurationNs(merge_gap_s);
+  std::sort(spans.begin(), spans.end(),
+            [](const TimeSpan& a, const TimeSpan& b) { return a.begin_ns < b.begin_ns; });
+  std::vector<TimeSpan> joined;
+  for (TimeSpan span : spans) {
+    if (span.begin_ns <= begin_ns + gap_ns) span.begin_ns = begin_ns;
+    if (span.end_ns >= end_ns - gap_ns) span.end_ns = end_ns;
+    if (joined.empty() || span.begin_ns > joined.back().end_ns + gap_ns) {
+      joined.push_back(span);
+    } else {
+      joined.back().end_ns = std::max(joined.back().end_ns, span.end_ns);
+    }
+  }
+  return joined;
+}
+
+}  // namespace
+
+std::vector<TimeSpan> FindHandling(const Stream<Eigen::Vector3d>& up, const Stream<double>& yaw_rad,
+                                   const HandlingSettings& settings) {
+  std::vector<TimeSpan> spans;
+  if (up.empty()) return spans;
+  spans = TurnedOver(up, settings);
+  const std::vector<TimeSpan> swayed = Swayed(yaw_rad, settings);
+  spans.insert(spans.end(), swayed.begin(), swayed.end());
+  return Join(std::move(spans), up.time_ns.front(), up.time_ns.back(), settings.merge_gap_s);
 }
 
 std::vector<MotionInterval> ClassifyMotion(TimeNs begin_ns, TimeNs end_ns,

@@ -15,10 +15,15 @@ struct TimeSpan {
   TimeNs end_ns = 0;
 };
 
-// Where the hand turns the phone over: the spread of the direction of gravity in the device
-// (circular standard deviation over a window) is far above what walking does. Spans are disjoint
-// and sorted.
-std::vector<TimeSpan> FindHandling(const Stream<Eigen::Vector3d>& up,
+// Where the hand plays with the phone. Two signs, each far above what walking does:
+// - turning it over: the spread of the direction of gravity in the device (circular standard
+//   deviation over a window);
+// - swaying it about the vertical: the way that the yaw goes inside a window beyond its net change
+//   (a turn of the walker, however fast, is all net change).
+// Both say "somewhere in this window", so that spans reach half a window beyond the samples that
+// show them. Without gyroscope (`yaw_rad` empty) only the first counts. Spans are disjoint, sorted
+// and inside the times of `up`.
+std::vector<TimeSpan> FindHandling(const Stream<Eigen::Vector3d>& up, const Stream<double>& yaw_rad,
                                    const HandlingSettings& settings);
 
 // Tiles [begin_ns, end_ns]: handling where it was found, walking from the first to the last step of

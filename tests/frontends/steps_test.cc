@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
+#include "data/simulator/sample.h"
 #include "frontends/build_evidence.h"
 #include "frontends/synthetic_walk.h"
 
@@ -108,6 +113,37 @@ TEST(Steps, IrregularGaitIsStillCountedToOnePercent) {
   std::map<std::string, std::int64_t> counts;
   const auto steps = DetectSteps(vertical, {}, {}, &counts);
   EXPECT_NEAR(static_cast<double>(steps.size()), kSteps, kSteps / 100.0);
+}
+
+// On the sample, where the true heel strikes are known (whole numbers of the step phase): a
+// detected step belongs to the strike nearest to its middle.
+TEST(Steps, MissesAndDoublesFewOfTheSamplesSteps) {
+  std::int64_t strikes = 0, hit = 0, doubled = 0, beyond = 0;
+  const std::vector<SimulatedWalk> walks = MakeSample(1).walks;
+  for (const SimulatedWalk& walk : walks) {
+    Stream<double> phase;
+    for (const WalkState& state : walk.path) phase.push_back(state.time_ns, state.step_phase);
+    std::map<std::int64_t, int> found;
+    for (const StepEvidence& step : BuildEvidence(walk.recording, {}).steps) {
+      const TimeNs middle = step.begin_ns + (step.end_ns - step.begin_ns) / 2;
+      ++found[std::llround(Interpolate(phase, middle))];
+    }
+    const auto last = static_cast<std::int64_t>(std::floor(phase.value.back()));
+    strikes += last + 1;
+    for (const auto& [strike, count] : found) {
+      hit += strike <= last;
+      beyond += strike > last;
+      doubled += count - 1;
+    }
+  }
+  RecordProperty("strikes", std::to_string(strikes));
+  RecordProperty("missed", std::to_string(strikes - hit));
+  RecordProperty("doubled", std::to_string(doubled));
+  RecordProperty("beyond_the_last", std::to_string(beyond));
+  ASSERT_GT(strikes, 800);
+  EXPECT_LE(strikes - hit, strikes / 100);
+  EXPECT_LE(doubled, strikes / 100);
+  EXPECT_LE(beyond, static_cast<std::int64_t>(walks.size()));  // stopping may look like one more
 }
 
 }  // namespace
