@@ -1,0 +1,100 @@
+#include "solvers/baselines/mle.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "factors/dead_reckoning.h"
+#include "factors/map_sweeps.h"
+#include "solvers/baselines/discrete.h"
+#include "solvers/baselines/likelihood_grid.h"
+
+namespace walkgraph {
+namespace {
+
+// -log p over the reference points of what was heard about a moment.
+struct Epoch {
+  TimeNs time_ns = 0;
+  std::vector<double> nats;
+};
+
+void Add(const std::vector<float>& nats, Epoch* epoch) {
+  epoch->nats.resize(nats.size(), 0.0);
+  for (std::size_t i = 0; i < nats.size(); ++i) epoch->nats[i] += nats[i];
+}
+
+std::size_t NearestEpoch(const std::vector<Epoch>& epochs, TimeNs time_ns) {
+  const auto after =
+      std::lower_bound(epochs.begin(), epochs.end(), time_ns,
+                       [](const Epoch& epoch, TimeNs time) { return epoch.time_ns < time; });
+  const auto i = static_cast<std::size_t>(after - epochs.begin());
+  if (i == 0) return 0;
+  if (i == epochs.size()) return i - 1;
+  return time_ns - epochs[i - 1].time_ns <= epochs[i].time_ns - time_ns ? i - 1 : i;
+}
+
+// Epochs are the Wi-Fi scans, which beacon reports join; without any Wi-Fi, the beacon reports.
+std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evidence,
+                              const FingerprintSettings& settings, const ReferencePoints& points) {
+  std::vector<Epoch> epochs;
+  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+    const RadioMap* map = site.FindMap(floor, radio);
+    if (map == nullptr || !(radio == Radio::kWifi ? settings.wifi : settings.beacon)) continue;
+    const std::vector<MapSweep> sweeps = CollectMapSweeps(site, *map, evidence, settings);
+    const auto nats = LikelihoodGrid(*map, points.positions_m()).Evaluate(sweeps);
+    const bool join = !epochs.empty();
+    for (std::size_t s = 0; s < sweeps.size(); ++s) {
+      if (!join) epochs.push_back({sweeps[s].mean_heard_ns, {}});
+      Add(nats[s], join ? &epochs[NearestEpoch(epochs, sweeps[s].mean_heard_ns)] : &epochs.back());
+    }
+  }
+  return epochs;
+}
+
+// Variance per axis that all scans at a place share and no likelihood knows.
+double MapErrorVariance(const Site& site, int floor, const MapErrorSettings& settings) {
+  if (settings.mode == StateMode::kAbsent) return 0;
+  const RadioMap* map = site.FindMap(floor, Radio::kWifi);
+  const double sigma =
+      settings.sigma_m > 0 || map == nullptr ? settings.sigma_m : map->map_error_sigma_m;
+  return sigma * sigma;
+}
+
+}  // namespace
+
+EstimateResult MleEstimator::Estimate(const Site& site, const Evidence& evidence) const {
+  const DeadReckonedPath path = DeadReckon(site, evidence, factors_);
+  const int floor = WalkFloor(site, evidence, wknn_);
+  const ReferencePoints points(site, floor, settings_.points);
+  if (points.empty()) {
+    return UnlocatedResult(site, evidence, path, "no survey of floor " + std::to_string(floor));
+  }
+  const std::vector<Epoch> epochs = MakeEpochs(site, floor, evidence, factors_.fingerprint, points);
+  if (epochs.empty()) {
+    return UnlocatedResult(site, evidence, path, "no reading that the radio map knows");
+  }
+  const double added_variance = MapErrorVariance(site, floor, factors_.map_error) +
+                                points.spacing_m() * points.spacing_m() / 12;
+  const std::vector<double> uniform(points.size(), 1.0);
+  std::vector<PositionFix> fixes;
+  for (const Epoch& epoch : epochs) {
+    std::vector<double> log_likelihood(epoch.nats.size());
+    std::transform(epoch.nats.begin(), epoch.nats.end(), log_likelihood.begin(),
+                   [](double nats) { return -nats; });
+    PositionFix fix;
+    fix.time_ns = epoch.time_ns;
+    fix.floor = floor;
+    fix.position_m = points.positions_m()[static_cast<std::size_t>(ArgMax(log_likelihood))];
+    fix.covariance_m2 = SecondMoment(points.positions_m(),
+                                     UpdateDistribution(uniform, log_likelihood), fix.position_m) +
+                        added_variance * Eigen::Matrix2d::Identity();
+    fixes.push_back(fix);
+  }
+  EstimateResult result;
+  result.trajectory = TrajectoryFromFixes(site, evidence, path, fixes);
+  return result;
+}
+
+}  // namespace walkgraph
