@@ -16,7 +16,7 @@ struct HipeEmissionSettings {
   double training_radius_m = 3;
   double weibull_shape = 0;
   double prior_readings = 4;
-  double floor_probability = 1e-3;
+  double floor_probability = 1e-4;  // one chance in a hundred of hearing it, over 100 dB
   bool use_silence = true;
   bool use_effective_readings = true;
 };

@@ -1,10 +1,12 @@
 #ifndef WALKGRAPH_SOLVERS_BASELINES_HIPE_MOTION_H_
 #define WALKGRAPH_SOLVERS_BASELINES_HIPE_MOTION_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "data/building.h"
@@ -24,11 +26,14 @@ enum class HipeCase : std::uint8_t {
   kHeadingSpeed,     // eq. 8: sector within the range of the maximum speed
   kSpeed,            // eq. 10: disc of that range
 };
+inline constexpr std::array<std::string_view, 4> kHipeCaseNames = {"distance_heading", "distance",
+                                                                   "heading_speed", "speed"};
 
 enum class HipeDistance : std::uint8_t {
   kEuclidean,  // eqs. 7-10
   kWalkable,   // the text: shortest way from point to point that crosses no obstacle
 };
+inline constexpr std::array<std::string_view, 2> kHipeDistanceNames = {"euclidean", "walkable"};
 
 struct HipeMotionSettings {
   HipeCase motion_case = HipeCase::kDistanceHeading;

@@ -2,10 +2,12 @@
 #define WALKGRAPH_SOLVERS_BASELINES_REFERENCE_POINTS_H_
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "frontends/radio_map/site.h"
@@ -16,6 +18,7 @@ enum class ReferenceArea : std::uint8_t {
   kSurveyed,  // within reach of a survey path
   kWalkable,  // inside the floor's outline and outside its obstacles; surveyed where none is known
 };
+inline constexpr std::array<std::string_view, 2> kReferenceAreaNames = {"surveyed", "walkable"};
 
 struct ReferencePointSettings {
   ReferenceArea area = ReferenceArea::kSurveyed;
