@@ -16,8 +16,9 @@ struct ReadReport {
   bool cut_last_line = false;  // the file does not end in a newline and its last line is not whole
   // Rows per record type as named in the file, whether used or not ("TYPE_WIFI", "ACCE").
   std::map<std::string, std::int64_t> records;
-  // Rows or samples that were dropped, by hazard: "malformed", "non_finite", "duplicate_time",
-  // "backward_time", "out_of_range", "unknown_type", ...
+  // Rows or samples that were dropped or repaired, by hazard; data/formats/README.md lists the
+  // names and what happens to each: "malformed", "non_finite", "duplicate_time", "backward_time",
+  // ...
   std::map<std::string, std::int64_t> hazards;
   std::int64_t first_malformed_line = 0;  // 0: none
 

@@ -31,7 +31,8 @@ enum class Radio : std::uint8_t { kWifi = 0, kBeacon = 1 };
 inline constexpr int kRadioCount = 2;
 inline const char* RadioName(Radio radio) { return radio == Radio::kWifi ? "wifi" : "beacon"; }
 
-// What sends: an access point's BSSID (lower case) or a beacon's "uuid_major_minor_mac".
+// What sends: an access point's BSSID, or a beacon's "uuid_major_minor_mac" (in GetSensorData logs
+// its MAC address alone, for some lack the identifiers), all in lower case.
 struct Transmitter {
   Radio radio = Radio::kWifi;
   std::string name;
