@@ -1,0 +1,47 @@
+#ifndef WALKGRAPH_EVAL_CALIBRATE_CALIBRATE_MOTION_H_
+#define WALKGRAPH_EVAL_CALIBRATE_CALIBRATE_MOTION_H_
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "data/building.h"
+#include "data/truth.h"
+#include "factors/settings.h"
+#include "frontends/evidence/evidence.h"
+
+namespace walkgraph {
+
+// A walk with truth (in the building frame), to learn noise from.
+struct CalibrationWalk {
+  const Evidence* evidence = nullptr;
+  const Truth* truth = nullptr;
+};
+
+// One calibrated setting: what it was set to and on how much it rests.
+struct CalibratedValue {
+  std::string key;  // as in the configuration file, "factors.step.sigma_along_m"
+  double value = 0;
+  std::size_t samples = 0;
+  std::string basis;  // what the samples are: "walks", "pairs of legs", "samples"
+};
+
+// Sets the noise of steps and headings, and the spread and random walk of their slow states, to
+// what the walks show; where fewer than ten samples bear on a value it keeps its default and is not
+// reported. Legs between consecutive waypoints (3 m or more apart) are compared with dead reckoning
+// over the same time: the ratio of the two displacements, as a complex number, is the leg's step
+// scale and heading offset.
+//  - prior mean and sigma: mean and spread over walks of the walk's weighted mean;
+//  - random walk and noise: the squared difference of two legs of one walk is 2 noise + rate x time
+//    apart, a straight line fitted over all pairs; a waypoint's own error (`waypoint_sigma_m` per
+//    axis) is taken off the noise before it is shared out over the leg's steps;
+//  - absolute heading and gyroscope bias: from the difference of absolute heading and integrated
+//  yaw.
+// Spreads are clipped at three robust standard deviations, so that a few wrong legs do not decide.
+std::vector<CalibratedValue> CalibrateMotion(const Building& building,
+                                             const std::vector<CalibrationWalk>& walks,
+                                             double waypoint_sigma_m, FactorSettings* settings);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_EVAL_CALIBRATE_CALIBRATE_MOTION_H_

@@ -1,0 +1,41 @@
+#ifndef WALKGRAPH_EVAL_CALIBRATE_LEG_COMPARISON_H_
+#define WALKGRAPH_EVAL_CALIBRATE_LEG_COMPARISON_H_
+
+#include <vector>
+
+#include "data/truth.h"
+#include "factors/dead_reckoning.h"
+#include "frontends/evidence/evidence.h"
+
+namespace walkgraph {
+
+// A leg between two waypoints against dead reckoning over the same time.
+struct Leg {
+  TimeNs middle_ns = 0;
+  double length_m = 0;  // between the waypoints
+  int steps = 0;
+  double heading_rad = 0;  // true minus dead-reckoned direction
+  double log_scale = 0;    // log of true over dead-reckoned distance
+};
+
+using WalkLegs = std::vector<Leg>;
+
+// Legs of 3 m and more along which dead reckoning moved at all.
+WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadReckonedPath& path);
+
+// The mean of a walk's legs, weighted by their squared length; of angles on the circle.
+// Precondition: not empty.
+double WalkMean(const WalkLegs& legs, double Leg::*value, bool circular);
+
+// Differences of all pairs of legs of one walk up to 40 s apart: farther ones are many and say
+// little more.
+struct PairDifferences {
+  std::vector<double> difference;
+  std::vector<double> lag_s;
+};
+PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, double Leg::*value,
+                                       bool circular);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_EVAL_CALIBRATE_LEG_COMPARISON_H_
