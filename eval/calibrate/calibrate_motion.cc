@@ -22,21 +22,12 @@ DeadReckonedPath PlainPath(const Building& building, const Evidence& evidence) {
   return DeadReckon(site, evidence, plain);
 }
 
-// The legs' variance (rad^2 or relative), beyond what the waypoints explain, for each of their
-// steps in metres.
-double StepSigma(const std::vector<WalkLegs>& walks, double leg_variance, double waypoint_sigma_m) {
+// The error of one step, from how the legs' errors grow with their steps: what they do not grow
+// with belongs to the waypoints.
+double StepSigma(const LegDeviations& deviations) {
   constexpr double kSmallestM = 0.03;  // sway of the body and timing of the step
-  double squared_length = 0, steps = 0, legs = 0;
-  for (const WalkLegs& walk : walks) {
-    for (const Leg& leg : walk) {
-      squared_length += leg.length_m * leg.length_m;
-      steps += leg.steps;
-      legs += 1;
-    }
-  }
-  const double variance_m2 =
-      leg_variance * squared_length / legs - 2.0 * waypoint_sigma_m * waypoint_sigma_m;
-  return std::max(kSmallestM, std::sqrt(std::max(0.0, variance_m2) * legs / std::max(1.0, steps)));
+  const Line line = VarianceOverLag(deviations.deviation_m, deviations.steps);
+  return std::max(kSmallestM, std::sqrt(line.slope));
 }
 
 class Report {
@@ -67,8 +58,7 @@ LegStatistics Summarise(const std::vector<WalkLegs>& walks, double Leg::*value, 
           pairs.difference.size()};
 }
 
-void CalibrateSteps(const std::vector<WalkLegs>& walks, double waypoint_sigma_m,
-                    FactorSettings* settings, Report* report) {
+void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings, Report* report) {
   const LegStatistics scale = Summarise(walks, &Leg::log_scale, false);
   const Moments& means = scale.walk_means;
   if (means.samples >= kMinSamples) {
@@ -77,17 +67,18 @@ void CalibrateSteps(const std::vector<WalkLegs>& walks, double waypoint_sigma_m,
     report->Set("step_scale.prior_sigma", std::exp(means.mean) * std::sqrt(means.variance),
                 means.samples, "walks", &settings->step_scale.prior_sigma);
   }
-  if (scale.pairs < kMinSamples) return;
-  report->Set("step_scale.walk_per_sqrt_s", std::sqrt(scale.variance_over_lag.slope), scale.pairs,
-              "pairs of legs", &settings->step_scale.walk_per_sqrt_s);
-  report->Set("step.sigma_along_m",
-              StepSigma(walks, 0.5 * scale.variance_over_lag.intercept, waypoint_sigma_m),
-              scale.pairs, "pairs of legs", &settings->step.sigma_along_m);
+  if (scale.pairs >= kMinSamples) {
+    report->Set("step_scale.walk_per_sqrt_s", std::sqrt(scale.variance_over_lag.slope), scale.pairs,
+                "pairs of legs", &settings->step_scale.walk_per_sqrt_s);
+  }
+  const LegDeviations along = DeviationsFromWalk(walks, &Leg::log_scale, false);
+  if (along.steps.size() >= kMinSamples) {
+    report->Set("step.sigma_along_m", StepSigma(along), along.steps.size(), "legs",
+                &settings->step.sigma_along_m);
+  }
 }
 
-void CalibrateOffset(const std::vector<WalkLegs>& walks, double waypoint_sigma_m,
-                     FactorSettings* settings, Report* report) {
-  const LegStatistics offset = Summarise(walks, &Leg::heading_rad, true);
+void CalibrateOffset(const LegStatistics& offset, FactorSettings* settings, Report* report) {
   const Moments& means = offset.walk_means;
   if (means.samples >= kMinSamples) {
     report->Set("heading_offset.prior_mean_rad", means.mean, means.samples, "walks",
@@ -98,74 +89,84 @@ void CalibrateOffset(const std::vector<WalkLegs>& walks, double waypoint_sigma_m
   if (offset.pairs < kMinSamples) return;
   report->Set("heading_offset.walk_rad_per_sqrt_s", std::sqrt(offset.variance_over_lag.slope),
               offset.pairs, "pairs of legs", &settings->heading_offset.walk_rad_per_sqrt_s);
-  report->Set("step.sigma_across_m",
-              StepSigma(walks, 0.5 * offset.variance_over_lag.intercept, waypoint_sigma_m),
-              offset.pairs, "pairs of legs", &settings->step.sigma_across_m);
 }
 
-// How walking direction and integrated yaw part, from legs compared with dead reckoning on the
-// gyroscope alone.
-void CalibrateIncrements(const std::vector<WalkLegs>& walks, FactorSettings* settings,
+double MeanDuration(const std::vector<WalkLegs>& walks) {
+  double seconds = 0, legs = 0;
+  for (const WalkLegs& walk : walks) {
+    for (const Leg& leg : walk) seconds += leg.duration_s;
+    legs += static_cast<double>(walk.size());
+  }
+  return seconds / legs;
+}
+
+// How well legs keep their direction: on the gyroscope alone, and on the absolute heading beyond
+// that.
+void CalibrateDirections(const std::vector<WalkLegs>& absolute,
+                         const std::vector<WalkLegs>& by_gyroscope, FactorSettings* settings,
                          Report* report) {
-  constexpr double kSmallestRate = 0.01;  // a phone's gyroscope alone, rad/sqrt(s)
-  const PairDifferences pairs = DifferencesWithinWalks(walks, &Leg::heading_rad, true);
-  if (pairs.difference.size() < kMinSamples) return;
-  const double rate = VarianceOverLag(pairs.difference, pairs.lag_s).slope;
-  report->Set("heading_increment.sigma_rad_per_sqrt_s", std::max(kSmallestRate, std::sqrt(rate)),
-              pairs.difference.size(), "pairs of legs",
-              &settings->heading_increment.sigma_rad_per_sqrt_s);
+  constexpr double kSmallestRate = 0.01;          // a phone's gyroscope alone, rad/sqrt(s)
+  constexpr double kSmallestHeadingSigma = 0.03;  // two degrees: a walking person's sway
+  const LegStatistics offset = Summarise(absolute, &Leg::heading_rad, true);
+  const LegStatistics turn = Summarise(by_gyroscope, &Leg::heading_rad, true);
+  CalibrateOffset(offset, settings, report);
+  if (turn.pairs >= kMinSamples) {
+    report->Set("heading_increment.sigma_rad_per_sqrt_s",
+                std::max(kSmallestRate, std::sqrt(turn.variance_over_lag.slope)), turn.pairs,
+                "pairs of legs", &settings->heading_increment.sigma_rad_per_sqrt_s);
+  }
+  const bool has_turn = turn.pairs >= kMinSamples;
+  const LegDeviations across =
+      DeviationsFromWalk(has_turn ? by_gyroscope : absolute, &Leg::heading_rad, true);
+  if (across.steps.size() >= kMinSamples) {
+    report->Set("step.sigma_across_m", StepSigma(across), across.steps.size(), "legs",
+                &settings->step.sigma_across_m);
+  }
+  if (!has_turn || offset.pairs < kMinSamples) return;
+  const double beyond =
+      0.5 * (offset.variance_over_lag.intercept - turn.variance_over_lag.intercept);
+  const double samples_per_leg =
+      std::max(1.0, MeanDuration(absolute) / settings->absolute_heading.correlation_s);
+  report->Set("absolute_heading.sigma_rad",
+              std::max(kSmallestHeadingSigma, std::sqrt(std::max(0.0, beyond) * samples_per_leg)),
+              offset.pairs, "pairs of legs", &settings->absolute_heading.sigma_rad);
 }
 
-// Absolute heading minus integrated yaw, every `correlation_s`.
-std::vector<double> HeadingMinusYaw(const Evidence& evidence, double correlation_s) {
-  std::vector<double> drift;
+// Mean drift of absolute heading against integrated yaw over a walk, rad/s; NaN for short walks.
+double DriftRate(const Evidence& evidence) {
+  constexpr double kMinSeconds = 10;
   const Stream<double>& heading = evidence.absolute_heading_rad;
   const Stream<double>& yaw = evidence.gyro_yaw_rad;
-  if (heading.empty() || yaw.empty()) return drift;
+  if (heading.empty() || yaw.empty()) return std::nan("");
+  const TimeNs begin = std::max(heading.time_ns.front(), yaw.time_ns.front());
   const TimeNs end = std::min(heading.time_ns.back(), yaw.time_ns.back());
-  for (TimeNs t = std::max(heading.time_ns.front(), yaw.time_ns.front()); t <= end;
-       t += DurationNs(correlation_s)) {
-    drift.push_back(Interpolate(heading, t) - Interpolate(yaw, t));
-  }
-  return drift;
+  const double seconds = SecondsBetween(begin, end);
+  if (seconds < kMinSeconds) return std::nan("");
+  const double drift = Interpolate(heading, end) - Interpolate(yaw, end) -
+                       Interpolate(heading, begin) + Interpolate(yaw, begin);
+  return drift / seconds;
 }
 
-void CalibrateSensors(const std::vector<CalibrationWalk>& walks, FactorSettings* settings,
-                      Report* report) {
-  constexpr double kSmallestHeadingSigma = 0.01;  // half a degree: the resolution of a compass
-  constexpr double kSmallestBias = 1e-4;          // below what a walk of a minute can show
-  const double step_s = settings->absolute_heading.correlation_s;
-  std::vector<double> curvature, slopes;
+void CalibrateGyroscopeBias(const std::vector<CalibrationWalk>& walks, FactorSettings* settings,
+                            Report* report) {
+  constexpr double kSmallestBias = 1e-4;  // below what a walk of a minute can show, rad/s
+  std::vector<double> rates;
   for (const CalibrationWalk& walk : walks) {
-    const std::vector<double> drift = HeadingMinusYaw(*walk.evidence, step_s);
-    // The second difference of white noise has six times its variance, and no bias or offset in it.
-    for (std::size_t i = 2; i < drift.size(); ++i) {
-      curvature.push_back(drift[i] - 2.0 * drift[i - 1] + drift[i - 2]);
-    }
-    if (drift.size() >= 5) {
-      const double seconds = step_s * static_cast<double>(drift.size() - 1);
-      slopes.push_back((drift.back() - drift.front()) / seconds);
-    }
+    const double rate = DriftRate(*walk.evidence);
+    if (std::isfinite(rate)) rates.push_back(rate);
   }
-  if (curvature.size() >= kMinSamples) {
-    const Moments moments = ClippedMoments(curvature);
-    report->Set("absolute_heading.sigma_rad",
-                std::max(kSmallestHeadingSigma, std::sqrt(moments.variance / 6.0)), moments.samples,
-                "samples", &settings->absolute_heading.sigma_rad);
-  }
-  if (slopes.size() >= kMinSamples) {
-    const Moments moments = ClippedMoments(slopes);
-    const double second_moment = moments.variance + moments.mean * moments.mean;
-    report->Set("gyro_bias.prior_sigma_radps", std::max(kSmallestBias, std::sqrt(second_moment)),
-                moments.samples, "walks", &settings->gyro_bias.prior_sigma_radps);
-  }
+  if (rates.size() < kMinSamples) return;
+  const Moments moments = ClippedMoments(rates);
+  const double second_moment = moments.variance + moments.mean * moments.mean;
+  report->Set("gyro_bias.prior_sigma_radps", std::max(kSmallestBias, std::sqrt(second_moment)),
+              moments.samples, "walks", &settings->gyro_bias.prior_sigma_radps);
 }
 
 }  // namespace
 
 std::vector<CalibratedValue> CalibrateMotion(const Building& building,
                                              const std::vector<CalibrationWalk>& walks,
-                                             double waypoint_sigma_m, FactorSettings* settings) {
+                                             FactorSettings* settings) {
   Report report;
   std::vector<WalkLegs> absolute, by_gyroscope;
   for (const CalibrationWalk& walk : walks) {
@@ -182,10 +183,9 @@ std::vector<CalibratedValue> CalibrateMotion(const Building& building,
     legs = CompareLegs(blind, *walk.truth, PlainPath(building, blind));
     if (!legs.empty()) by_gyroscope.push_back(std::move(legs));
   }
-  CalibrateSteps(absolute.empty() ? by_gyroscope : absolute, waypoint_sigma_m, settings, &report);
-  CalibrateOffset(absolute, waypoint_sigma_m, settings, &report);
-  CalibrateIncrements(by_gyroscope, settings, &report);
-  CalibrateSensors(walks, settings, &report);
+  CalibrateSteps(absolute.empty() ? by_gyroscope : absolute, settings, &report);
+  CalibrateDirections(absolute, by_gyroscope, settings, &report);
+  CalibrateGyroscopeBias(walks, settings, &report);
   return report.Take();
 }
 

@@ -40,7 +40,7 @@ struct CalibratedValue {
 // Spreads are clipped at three robust standard deviations, so that a few wrong legs do not decide.
 std::vector<CalibratedValue> CalibrateMotion(const Building& building,
                                              const std::vector<CalibrationWalk>& walks,
-                                             double waypoint_sigma_m, FactorSettings* settings);
+                                             FactorSettings* settings);
 
 }  // namespace walkgraph
 

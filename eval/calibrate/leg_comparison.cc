@@ -32,7 +32,8 @@ WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadRec
     if (leg.norm() < kMinLegM || walked.norm() < 0.5 * kMinLegM) continue;
     const std::complex<double> ratio =
         std::complex<double>(leg.x(), leg.y()) / std::complex<double>(walked.x(), walked.y());
-    legs.push_back({from.time_ns + (to.time_ns - from.time_ns) / 2, leg.norm(),
+    legs.push_back({from.time_ns + (to.time_ns - from.time_ns) / 2,
+                    SecondsBetween(from.time_ns, to.time_ns), leg.norm(),
                     StepsBetween(evidence, from.time_ns, to.time_ns), std::arg(ratio),
                     std::log(std::abs(ratio))});
   }
@@ -66,6 +67,26 @@ PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, doubl
     }
   }
   return pairs;
+}
+
+LegDeviations DeviationsFromWalk(const std::vector<WalkLegs>& walks, double Leg::*value,
+                                 bool circular) {
+  LegDeviations deviations;
+  for (const WalkLegs& legs : walks) {
+    if (legs.size() < 3) continue;
+    const double mean = WalkMean(legs, value, circular);
+    double total = 0;
+    for (const Leg& leg : legs) total += leg.length_m * leg.length_m;
+    for (const Leg& leg : legs) {
+      const double difference = leg.*value - mean;
+      // The leg's own share of the mean hides that part of its error.
+      const double visible = 1.0 - leg.length_m * leg.length_m / total;
+      deviations.deviation_m.push_back(
+          leg.length_m * (circular ? WrapAngle(difference) : difference) / std::sqrt(visible));
+      deviations.steps.push_back(leg.steps);
+    }
+  }
+  return deviations;
 }
 
 }  // namespace walkgraph

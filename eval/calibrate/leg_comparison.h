@@ -12,6 +12,7 @@ namespace walkgraph {
 // A leg between two waypoints against dead reckoning over the same time.
 struct Leg {
   TimeNs middle_ns = 0;
+  double duration_s = 0;
   double length_m = 0;  // between the waypoints
   int steps = 0;
   double heading_rad = 0;  // true minus dead-reckoned direction
@@ -35,6 +36,16 @@ struct PairDifferences {
 };
 PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, double Leg::*value,
                                        bool circular);
+
+// What a leg's value deviates from its walk's mean, in metres at the leg's end, with the number of
+// steps that it took. Only walks of three legs and more; corrected for the mean that the legs
+// themselves made.
+struct LegDeviations {
+  std::vector<double> deviation_m;
+  std::vector<double> steps;
+};
+LegDeviations DeviationsFromWalk(const std::vector<WalkLegs>& walks, double Leg::*value,
+                                 bool circular);
 
 }  // namespace walkgraph
 

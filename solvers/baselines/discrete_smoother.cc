@@ -163,7 +163,11 @@ Transition MakeTransition(const Evidence& evidence, const DeadReckonedPath& walk
     const double moved = transition.displacement_m.norm();
     const double along = factors.step.sigma_along_m, across = factors.step.sigma_across_m;
     const double scale = moved * factors.step_scale.prior_sigma;
-    const double turn = moved * settings.heading_bin_rad / std::sqrt(12.0);
+    // Rounding to a bin, and what the heading errs over an epoch beyond its offset.
+    const AbsoluteHeadingSettings& heading = factors.absolute_heading;
+    const double error = heading.sigma_rad * std::sqrt(heading.correlation_s /
+                                                       std::max(seconds, heading.correlation_s));
+    const double turn = moved * std::hypot(settings.heading_bin_rad / std::sqrt(12.0), error);
     variance += 0.5 * (steps * (along * along + across * across) + scale * scale + turn * turn);
   }
   // Both ends are rounded to their cells.
