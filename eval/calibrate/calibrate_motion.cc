@@ -25,7 +25,7 @@ DeadReckonedPath PlainPath(const Building& building, const Evidence& evidence) {
 // The error of one step, from how the legs' errors grow with their steps: what they do not grow
 // with belongs to the waypoints.
 double StepSigma(const LegDeviations& deviations) {
-  constexpr double kSmallestM = 0.03;  // sway of the body and timing of the step
+  constexpr double kSmallestM = 0.05;  // sway of the body and timing of the step
   const Line line = VarianceOverLag(deviations.deviation_m, deviations.steps);
   return std::max(kSmallestM, std::sqrt(line.slope));
 }

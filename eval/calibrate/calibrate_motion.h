@@ -32,11 +32,14 @@ struct CalibratedValue {
 // over the same time: the ratio of the two displacements, as a complex number, is the leg's step
 // scale and heading offset.
 //  - prior mean and sigma: mean and spread over walks of the walk's weighted mean;
-//  - random walk and noise: the squared difference of two legs of one walk is 2 noise + rate x time
-//    apart, a straight line fitted over all pairs; a waypoint's own error (`waypoint_sigma_m` per
-//    axis) is taken off the noise before it is shared out over the leg's steps;
-//  - absolute heading and gyroscope bias: from the difference of absolute heading and integrated
-//  yaw.
+//  - random walk: the squared difference of two legs of one walk is 2 noise + rate x time apart, a
+//    straight line fitted over all pairs;
+//  - error of a step: how the squared error of a leg grows with its steps (what it does not grow with
+//    is the waypoints' own); sideways from legs reckoned on the gyroscope, which has no compass in
+//    it;
+//  - the absolute heading's sigma: what legs reckoned on it err beyond those on the gyroscope, as
+//    independent samples `correlation_s` apart;
+//  - gyroscope bias: from the drift of absolute heading against integrated yaw.
 // Spreads are clipped at three robust standard deviations, so that a few wrong legs do not decide.
 std::vector<CalibratedValue> CalibrateMotion(const Building& building,
                                              const std::vector<CalibrationWalk>& walks,
