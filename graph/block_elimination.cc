@@ -205,7 +205,9 @@ class Eliminator {
 std::vector<int> FillReducingOrder(const LinearSystem& system,
                                    const std::vector<std::pair<int, int>>& pairs) {
   const int blocks = static_cast<int>(system.block_sizes.size());
+  if (blocks == 0) return {};
   std::vector<Eigen::Triplet<double>> edges;
+  edges.reserve(blocks + system.factors.size());
   for (int block = 0; block < blocks; ++block) edges.emplace_back(block, block, 1);
   for (const LinearFactor& factor : system.factors) {
     for (size_t i = 0; i < factor.blocks.size(); ++i) {

@@ -162,6 +162,7 @@ std::optional<ObservabilityReport> AnalyzeObservability(const LinearSystem& syst
   MatrixXd basis = Orthonormal(NullVectors(elimination, layout, scale));
   const int kinds = static_cast<int>(layout.kinds.size());
   std::vector<std::set<int>> groups;
+  groups.reserve(static_cast<size_t>(kinds) * (kinds + 1) / 2);
   for (int a = 0; a < kinds; ++a) groups.push_back({a});
   for (int a = 0; a < kinds; ++a) {
     for (int b = a + 1; b < kinds; ++b) groups.push_back({a, b});
