@@ -17,7 +17,7 @@ namespace walkgraph {
 namespace {
 
 std::vector<Verb> Verbs() {
-  return {InspectVerb(), EvaluateVerb(), ConfigVerb(), MethodsVerb(), VersionVerb()};
+  return {InspectVerb(), EvaluateVerb(), ReportVerb(), ConfigVerb(), MethodsVerb(), VersionVerb()};
 }
 
 std::string Usage() {
