@@ -7,8 +7,8 @@ const scoreColumns = [
   ['median_m', 'median m', formatMetres], ['p75_m', 'p75 m', formatMetres],
   ['p90_m', 'p90 m', formatMetres], ['p95_m', 'p95 m', formatMetres],
   ['max_m', 'max m', formatMetres], ['rmse_m', 'RMSE m', formatMetres],
-  ['floor_accuracy', 'floor right', formatShare],
-  ['coverage95', 'inside 95 % ellipse', formatShare],
+  ['floor_accuracy', 'floor', formatShare],
+  ['coverage95', 'in 95 %', formatShare],
 ];
 const smallerIsBetter = new Set(['mean_m', 'median_m', 'p75_m', 'p90_m', 'p95_m', 'max_m', 'rmse_m']);
 const scoreState = {column: 'mean_m', descending: false};
