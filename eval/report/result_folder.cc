@@ -119,38 +119,36 @@ Json TrackJson(const std::vector<Pose>& poses, std::int64_t begin_ns) {
   return track;
 }
 
-struct Walk {
-  Json description;  // walks/<walk>.json, or null
-  std::map<std::string, std::vector<Pose>> tracks;
-};
+using Tracks = std::map<std::string, std::vector<Pose>>;  // by method
 
-std::int64_t BeginNs(const Walk& walk) {
-  if (!walk.description.is_null() && !walk.description.at("waypoints").empty()) {
-    return walk.description.at("waypoints").front().at("time_ns").get<std::int64_t>();
+// `description` is walks/<walk>.json, or null.
+std::int64_t BeginNs(const Json& description, const Tracks& tracks) {
+  if (!description.is_null() && !description.at("waypoints").empty()) {
+    return description.at("waypoints").front().at("time_ns").get<std::int64_t>();
   }
   std::optional<std::int64_t> begin;
-  for (const auto& [method, poses] : walk.tracks) {
+  for (const auto& [method, poses] : tracks) {
     if (!poses.empty()) begin = std::min(begin.value_or(poses[0].time_ns), poses[0].time_ns);
   }
   return begin.value_or(0);
 }
 
-Json WalkJson(const std::string& id, const Walk& walk) {
-  const std::int64_t begin_ns = BeginNs(walk);
+Json WalkJson(const std::string& id, const Json& description, const Tracks& tracks) {
+  const std::int64_t begin_ns = BeginNs(description, tracks);
   Json json = {{"walk", id},
                {"survey_distance_m", nullptr},
                {"waypoints", Json::array()},
                {"methods", Json::object()}};
-  if (!walk.description.is_null()) {
-    json["survey_distance_m"] = walk.description.at("survey_distance_m");
-    for (const Json& point : walk.description.at("waypoints")) {
+  if (!description.is_null()) {
+    json["survey_distance_m"] = description.at("survey_distance_m");
+    for (const Json& point : description.at("waypoints")) {
       json["waypoints"].push_back(
           {Rounded(Seconds(point.at("time_ns").get<std::int64_t>(), begin_ns), 0.01),
            point.at("x_m"), point.at("y_m"), point.at("floor")});
     }
-    json["methods"] = walk.description.at("methods");
+    json["methods"] = description.at("methods");
   }
-  for (const auto& [method, poses] : walk.tracks) {
+  for (const auto& [method, poses] : tracks) {
     Json& entry = json["methods"][method];
     if (entry.is_null()) {
       entry = {{"status", nullptr}, {"messages", Json::array()}, {"errors_m", Json::array()}};
@@ -172,17 +170,24 @@ std::vector<fs::path> FilesIn(const fs::path& dir, const std::string& extension)
   return paths;
 }
 
-// By walk id, from walks/<walk>.json and trajectories/<walk>.<method>.csv.
-std::map<std::string, Walk> ReadWalks(const fs::path& dir) {
-  std::map<std::string, Walk> walks;
+// Every walk of walks/<walk>.json and trajectories/<walk>.<method>.csv, by id.
+Json ReadWalks(const fs::path& dir) {
+  std::map<std::string, Json> descriptions;
+  std::map<std::string, Tracks> tracks;
   for (const fs::path& path : FilesIn(dir / "walks", ".json")) {
-    walks[path.stem().string()].description = ParseJson(path, ReadIfThere(path).value_or(""));
+    descriptions[path.stem().string()] = ParseJson(path, ReadIfThere(path).value_or(""));
   }
   for (const fs::path& path : FilesIn(dir / "trajectories", ".csv")) {
     const fs::path name = path.stem();  // <walk>.<method>, and a walk's id may hold dots
     if (!name.has_extension()) continue;
-    walks[name.stem().string()].tracks[name.extension().string().substr(1)] =
+    const std::string id = name.stem().string();
+    descriptions.try_emplace(id, nullptr);
+    tracks[id][name.extension().string().substr(1)] =
         ParseTrajectory(path, ReadIfThere(path).value_or(""));
+  }
+  Json walks = Json::array();
+  for (const auto& [id, description] : descriptions) {
+    walks.push_back(WalkJson(id, description, tracks[id]));
   }
   return walks;
 }
@@ -227,8 +232,7 @@ Json ReadResultFolder(const std::string& dir) {
                  {"summary", nullptr}};
     const std::optional<std::string> summary = ReadIfThere(folder / "summary.json");
     if (summary) json["summary"] = ParseJson(folder / "summary.json", *summary);
-    Json walks = Json::array();
-    for (const auto& [id, walk] : ReadWalks(folder)) walks.push_back(WalkJson(id, walk));
+    Json walks = ReadWalks(folder);
     json["methods"] = MethodNames(walks);
     json["walks"] = std::move(walks);
     return json;
