@@ -32,6 +32,7 @@ void AddAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int>& other
   }
   factor.blocks.insert(factor.blocks.end(), other_blocks.begin(), other_blocks.end());
   factor.arrival_ns = arrival_ns;
+  factor.absolute_position = true;
   walk->graph.AddFactor(std::move(factor));
   if (!walk->first_absolute_position_ns || arrival_ns < *walk->first_absolute_position_ns) {
     walk->first_absolute_position_ns = arrival_ns;

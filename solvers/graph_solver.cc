@@ -3,8 +3,11 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <cmath>
-#include <numeric>
+#include <memory>
+#include <vector>
 
 namespace walkgraph {
 namespace {
@@ -22,6 +25,10 @@ ceres::Solver::Options SolverOptions(const SolverSettings& settings) {
   options.num_threads = 1;
   options.max_num_iterations = settings.max_iterations;
   options.function_tolerance = settings.function_tolerance;
+  // The cost decides when to stop; these only end a search that can gain nothing in double
+  // precision.
+  options.gradient_tolerance = 0;
+  options.parameter_tolerance = 1e-15;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   options.max_solver_time_in_seconds = 1e9;  // iterations are the only limit
@@ -39,23 +46,57 @@ void AddBlocks(const std::vector<int>& blocks, FactorGraph* graph, ceres::Proble
   }
 }
 
+struct NormalEquations {
+  Eigen::SparseMatrix<double> hessian;
+  Eigen::VectorXd gradient;
+};
+
+NormalEquations MakeNormalEquations(const LinearSystem& system) {
+  std::vector<Eigen::Index> first;
+  Eigen::Index size = 0;
+  for (const int block_size : system.block_sizes) {
+    first.push_back(size);
+    size += block_size;
+  }
+  NormalEquations equations{Eigen::SparseMatrix<double>(size, size), Eigen::VectorXd::Zero(size)};
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Eigen::Index> columns;
+  for (const LinearFactor& factor : system.factors) {
+    columns.clear();
+    for (const int block : factor.blocks) {
+      const auto b = static_cast<std::size_t>(block);
+      for (int i = 0; i < system.block_sizes[b]; ++i) columns.push_back(first[b] + i);
+    }
+    const Eigen::MatrixXd hessian = factor.jacobian.transpose() * factor.jacobian;
+    const Eigen::VectorXd gradient = factor.jacobian.transpose() * factor.residual;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      equations.gradient[columns[i]] += gradient[static_cast<Eigen::Index>(i)];
+      for (std::size_t j = 0; j < columns.size(); ++j) {
+        entries.emplace_back(columns[i], columns[j],
+                             hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+      }
+    }
+  }
+  equations.hessian.setFromTriplets(entries.begin(), entries.end());
+  return equations;
+}
+
 }  // namespace
 
-SolveResult SolveGraph(const std::vector<int>& factors, const LinearPrior* prior,
-                       const SolverSettings& settings, FactorGraph* graph) {
+SolveResult SolveGraph(const GraphPart& part, const SolverSettings& settings, FactorGraph* graph) {
   const Eigen::VectorXd before = graph->values();
   ceres::Problem problem(ProblemOptions());
   std::vector<double*> pointers;
-  for (const int index : factors) {
+  for (const int index : part.factors) {
     const GraphFactor& factor = graph->factor(index);
     AddBlocks(factor.blocks, graph, &problem, &pointers);
     problem.AddResidualBlock(factor.cost.get(), factor.loss.get(), pointers);
   }
-  std::unique_ptr<LinearPriorCost> prior_cost;
-  if (prior != nullptr && !prior->empty()) {
-    prior_cost = std::make_unique<LinearPriorCost>(*prior, *graph);
-    AddBlocks(prior->blocks, graph, &problem, &pointers);
-    problem.AddResidualBlock(prior_cost.get(), nullptr, pointers);
+  std::vector<std::unique_ptr<LinearPriorCost>> priors;
+  for (const LinearPrior& prior : part.priors) {
+    priors.push_back(std::make_unique<LinearPriorCost>(prior, *graph));
+    AddBlocks(prior.blocks, graph, &problem, &pointers);
+    problem.AddResidualBlock(priors.back().get(), nullptr, pointers);
   }
   ceres::Solver::Summary summary;
   ceres::Solve(SolverOptions(settings), &problem, &summary);
@@ -65,10 +106,22 @@ SolveResult SolveGraph(const std::vector<int>& factors, const LinearPrior* prior
   return {ok, static_cast<int>(summary.iterations.size())};
 }
 
-SolveResult SolveGraph(const SolverSettings& settings, FactorGraph* graph) {
-  std::vector<int> all(graph->factors().size());
-  std::iota(all.begin(), all.end(), 0);
-  return SolveGraph(all, nullptr, settings, graph);
+void PolishSolution(const GraphPart& part, FactorGraph* graph) {
+  constexpr double kLargestCorrection = 1e-4;  // absolute; metres or radians
+  const VariableIndex index(*graph, part.blocks);
+  const NormalEquations equations = MakeNormalEquations(Linearize(*graph, part, index));
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt(equations.hessian);
+  if (ldlt.info() != Eigen::Success) return;
+  const Eigen::VectorXd step = ldlt.solve(-equations.gradient);
+  if (!step.allFinite() || step.lpNorm<Eigen::Infinity>() > kLargestCorrection) return;
+  Eigen::VectorXd values = graph->values();
+  Eigen::Index at = 0;
+  for (int v = 0; v < index.size(); ++v) {
+    const StateBlock& block = graph->block(index.block(v));
+    values.segment(block.offset, block.size()) += step.segment(at, block.size());
+    at += block.size();
+  }
+  graph->SetValues(values);
 }
 
 }  // namespace walkgraph

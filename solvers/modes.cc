@@ -11,6 +11,7 @@
 #include "graph/linearize.h"
 #include "graph/marginal_covariance.h"
 #include "graph/posterior.h"
+#include "solvers/graph_solver.h"
 
 namespace walkgraph {
 namespace {
@@ -23,12 +24,17 @@ double HeadingOf(const WalkGraph& walk, const Eigen::VectorXd& values, std::size
   return values[walk.graph.block(walk.heading[node]).offset];
 }
 
-bool SamePath(const WalkGraph& walk, const Mode& a, const Mode& b, double distinct_m) {
+bool SamePath(const FactorGraph& graph, const GraphPart& part, const Mode& a, const Mode& b,
+              double distinct_m) {
   double sum = 0;
-  for (std::size_t i = 0; i < walk.node_ns.size(); ++i) {
-    sum += (PositionOf(walk, a.values, i) - PositionOf(walk, b.values, i)).squaredNorm();
+  int nodes = 0;
+  for (const int index : part.blocks) {
+    const StateBlock& block = graph.block(index);
+    if (block.id.kind != BlockKind::kPosition) continue;
+    sum += (a.values.segment<2>(block.offset) - b.values.segment<2>(block.offset)).squaredNorm();
+    ++nodes;
   }
-  return sum < distinct_m * distinct_m * static_cast<double>(walk.node_ns.size());
+  return sum < distinct_m * distinct_m * nodes;
 }
 
 std::size_t KeptCount(const std::vector<Mode>& modes, double mode_limit_nats) {
@@ -83,19 +89,21 @@ std::vector<std::string> CoordinateNames(const StateBlock& block) {
 
 }  // namespace
 
-PointUncertainty ComputeUncertainty(const WalkGraph& walk) {
-  const VariableIndex index(walk.graph);
-  LinearSystem system = Linearize(walk.graph, index);
-  if (!walk.has_absolute_heading) {
+PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part) {
+  const VariableIndex index(walk.graph, part.blocks);
+  LinearSystem system = Linearize(walk.graph, part, index);
+  const auto first_heading = std::find_if(
+      part.blocks.begin(), part.blocks.end(),
+      [&walk](int block) { return walk.graph.block(block).id.kind == BlockKind::kHeading; });
+  if (!walk.has_absolute_heading && first_heading != part.blocks.end()) {
     const double sigma_rad = std::numbers::pi / std::sqrt(3.0);
-    system.factors.push_back({{index.variable(walk.heading.front())},
+    system.factors.push_back({{index.variable(*first_heading)},
                               Eigen::MatrixXd::Constant(1, 1, 1.0 / sigma_rad),
                               Eigen::VectorXd::Zero(1)});
   }
   PointUncertainty result;
   for (const StateBlock& block : walk.graph.blocks()) {
     const int size = block.constant ? 0 : block.size();
-    result.variables += size;
     result.covariance.push_back(
         Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN()));
   }
@@ -103,24 +111,37 @@ PointUncertainty ComputeUncertainty(const WalkGraph& walk) {
   if (!marginals) return result;
   for (int v = 0; v < index.size(); ++v) {
     result.covariance[static_cast<std::size_t>(index.block(v))] = marginals->block(v).covariance;
+    result.variables += system.block_sizes[static_cast<std::size_t>(v)];
   }
   result.log_det_hessian =
       marginals->log_determinant().value_or(std::numeric_limits<double>::infinity());
   return result;
 }
 
-void RankModes(const SolverSettings& settings, WalkGraph* walk, std::vector<Mode>* modes) {
+Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
+               const SolverSettings& settings, WalkGraph* walk, int* failed_solves) {
+  SetTrajectory(start.trajectory, walk);
+  // Without any absolute position the start is the answer: all that a solve could do is to pull the
+  // walk's first node to the middle of the floor.
+  if (walk->first_absolute_position_ns && !SolveGraph(part, settings, &walk->graph).ok) {
+    ++*failed_solves;
+  }
+  return {start.source, walk->graph.values(), NegativeLogDensity(walk->graph, part), 0, {}};
+}
+
+void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph* walk,
+               std::vector<Mode>* modes) {
   std::stable_sort(modes->begin(), modes->end(), [](const Mode& a, const Mode& b) {
     return a.negative_log_density < b.negative_log_density;
   });
   std::vector<Mode> distinct;
   for (Mode& mode : *modes) {
     const bool repeated = std::any_of(distinct.begin(), distinct.end(), [&](const Mode& other) {
-      return SamePath(*walk, mode, other, settings.distinct_m);
+      return SamePath(walk->graph, part, mode, other, settings.distinct_m);
     });
     if (repeated) continue;
     walk->graph.SetValues(mode.values);
-    mode.uncertainty = ComputeUncertainty(*walk);
+    mode.uncertainty = ComputeUncertainty(*walk, part);
     mode.negative_log_mass = NegativeLogModeMass(
         mode.negative_log_density, mode.uncertainty.log_det_hessian, mode.uncertainty.variables);
     distinct.push_back(std::move(mode));

@@ -6,23 +6,27 @@
 #include <string>
 #include <vector>
 
+#include "graph/graph_part.h"
 #include "graph/walk_graph.h"
 #include "solvers/estimator.h"
+#include "solvers/initial_trajectory.h"
 #include "solvers/settings.h"
 
 namespace walkgraph {
 
 // What is known of a walk graph's variables at a point.
 struct PointUncertainty {
-  // Marginal covariance of each block of the graph; 0 x 0 for constant ones.
+  // Marginal covariance of each block of the graph; 0 x 0 for constant ones,
+  // NaN for those outside the part.
   std::vector<Eigen::MatrixXd> covariance;
   double log_det_hessian = std::numeric_limits<double>::infinity();
   int variables = 0;  // coordinates
 };
 
-// The graph linearised at its values and solved for the covariance of every block. Where nothing
-// tells the heading, the first one is taken as uniform on the circle (variance pi^2 / 3).
-PointUncertainty ComputeUncertainty(const WalkGraph& walk);
+// The part linearised at the graph's values and solved for the covariance of each of its blocks.
+// Where nothing tells the heading, the part's first one is taken as uniform on the circle (variance
+// pi^2 / 3).
+PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part);
 
 // A local maximum of the posterior.
 struct Mode {
@@ -33,14 +37,20 @@ struct Mode {
   PointUncertainty uncertainty;
 };
 
-// Drops modes whose positions are those of a denser one (within `distinct_m`, RMS over nodes), adds
-// mass and covariance to the rest, and sorts them by mass, best first.
-void RankModes(const SolverSettings& settings, WalkGraph* walk, std::vector<Mode>* modes);
+// Drops modes whose positions are those of a denser one (within `distinct_m`, RMS over the
+// part's nodes), adds mass and covariance to the rest, and sorts them by mass, best first.
+void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph* walk,
+               std::vector<Mode>* modes);
 
 // The mixture of all modes within the limit of the first: poses at the best mode, covariance about
 // them. `floor_height_m` becomes z.
 Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats,
                     double floor_height_m);
+
+// Solves the part of a walk's graph from one start and returns what it finds, without its mass. A
+// solve that fails counts in `failed_solves` and leaves the start.
+Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
+               const SolverSettings& settings, WalkGraph* walk, int* failed_solves);
 
 // Slow states of a mode at their knots, constant ones left out.
 std::vector<SlowStateEstimate> SlowStates(const WalkGraph& walk, const Mode& mode);

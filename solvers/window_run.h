@@ -1,0 +1,64 @@
+#ifndef WALKGRAPH_SOLVERS_WINDOW_RUN_H_
+#define WALKGRAPH_SOLVERS_WINDOW_RUN_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "factors/dead_reckoning.h"
+#include "factors/settings.h"
+#include "frontends/evidence/evidence.h"
+#include "frontends/radio_map/site.h"
+#include "graph/sliding_window.h"
+#include "graph/walk_graph.h"
+#include "solvers/modes.h"
+#include "solvers/settings.h"
+
+namespace walkgraph {
+
+// One walk played through a sliding window on one floor.
+class WindowRun {
+ public:
+  // Keeps references: all arguments must outlive the run.
+  WindowRun(const Site& site, const Evidence& evidence, const FactorSettings& factors,
+            const SolverSettings& solver, const WindowSettings& settings, int floor);
+
+  // Plays the whole walk.
+  void Play();
+
+  WalkGraph& walk() { return walk_; }
+  // The reported values and covariances of all blocks, as one mode.
+  const Mode& reported() const { return reported_; }
+  int failed_solves() const { return failed_solves_; }
+  int dropped_late() const { return dropped_late_; }
+
+ private:
+  void Arrive(std::size_t node);
+  void PredictNode(std::size_t node);
+  void AddReadyFactors(TimeNs now_ns, bool last);
+  void Solve();
+  void Restart(TimeNs now_ns);
+  std::vector<int> LeavingBlocks(std::size_t first_kept) const;
+  std::size_t FirstKeptNode(std::size_t newest) const;
+  void Report(const std::vector<int>& blocks);
+
+  const Site& site_;
+  const Evidence& evidence_;
+  const FactorSettings& factors_;
+  const SolverSettings& solver_;
+  const WindowSettings& settings_;
+  WalkGraph walk_;
+  DeadReckonedPath dead_reckoning_;
+  SlidingWindow window_;
+  std::vector<int> waiting_;      // factors, by time of arrival
+  std::vector<int> slow_blocks_;  // not yet active, by time
+  std::size_t oldest_ = 0;        // node still in the window
+  bool located_ = false;          // some evidence of a place took part
+  bool marginalized_ = false;
+  Mode reported_;
+  int failed_solves_ = 0;
+  int dropped_late_ = 0;
+};
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_SOLVERS_WINDOW_RUN_H_

@@ -1,0 +1,41 @@
+#ifndef WALKGRAPH_SOLVERS_WINDOW_SMOOTHER_H_
+#define WALKGRAPH_SOLVERS_WINDOW_SMOOTHER_H_
+
+#include <string_view>
+
+#include "factors/settings.h"
+#include "solvers/estimator.h"
+#include "solvers/settings.h"
+
+namespace walkgraph {
+
+// `window`: the graph of `batch`, played in order of time as a phone would meet it.
+//   - Nodes arrive one by one, predicted from the one before by dead reckoning. Every arrival takes
+//     in the evidence that has come in by then and solves the window.
+//   - The window grows until the first evidence of a place; then it starts from the proposals that
+//     its own evidence makes, and once more just before the first node leaves, with all that it
+//     has seen.
+//   - A node that is too old leaves: it and its factors become a prior on its neighbours (see
+//     graph/sliding_window.h), and its estimate at that moment is the one reported, unless
+//     `report_newest` asks for the one at arrival.
+//   - Late evidence is used while its nodes are in the window, dropped and counted afterwards. A
+//     failed solve leaves the values as they were, is counted, and the next arrival tries again.
+// A person who stands still is no exception: nodes go on arriving every second.
+class WindowSmoother : public Estimator {
+ public:
+  WindowSmoother(const FactorSettings& factors, const SolverSettings& solver,
+                 const WindowSettings& window)
+      : factors_(factors), solver_(solver), window_(window) {}
+
+  std::string_view name() const override { return "window"; }
+  EstimateResult Estimate(const Site& site, const Evidence& evidence) const override;
+
+ private:
+  FactorSettings factors_;
+  SolverSettings solver_;
+  WindowSettings window_;
+};
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_SOLVERS_WINDOW_SMOOTHER_H_
