@@ -87,7 +87,9 @@ void FieldProcess::Predict(const Eigen::Matrix2Xd& positions_m, Eigen::VectorXd*
   const double total = prior_.constant_sigma_db * prior_.constant_sigma_db +
                        prior_.amplitude_db * prior_.amplitude_db;
   const double noise = prior_.noise_db * prior_.noise_db;
-  *sigma_db = ((total - cross.colwise().squaredNorm().array()).max(0.0) + noise).sqrt().transpose();
+  const Eigen::ArrayXd left =
+      total - explained.colwise().squaredNorm().transpose().cast<double>().array();
+  *sigma_db = (left.max(0.0) + noise).sqrt();
 }
 
 FieldProcess::LeftOut FieldProcess::LeaveOneWalkOut() const {
