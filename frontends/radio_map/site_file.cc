@@ -226,7 +226,7 @@ bool IsConsistent(const Site& site) {
     if (map.silence_nats.size() != points) return false;
     for (const RadioMap::TransmitterField& f : map.fields) {
       if (f.column < 0 || f.row < 0 || f.columns < 0 || f.rows < 0) return false;
-      if (f.column + f.columns > grid.columns || f.row + f.rows > grid.rows) return false;
+      if (f.columns > grid.columns - f.column || f.rows > grid.rows - f.row) return false;
       const auto size = static_cast<std::uint64_t>(f.columns) * f.rows;
       if (f.mean_dbm.size() != size || f.log_sigma.size() != size || f.logit_hear.size() != size) {
         return false;
@@ -305,7 +305,9 @@ void WriteSiteFile(const Site& site, const std::string& path) {
 
 Site ReadSiteFile(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path, 0, "cannot be opened", "a site file");
+  // A folder opens, but reading it throws something else.
+  if (!in || std::filesystem::is_directory(path))
+    throw InputError(path, 0, "cannot be opened", "a site file");
   const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   return ParseSite(bytes, path);
 }
