@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "data/angle.h"
+
 namespace walkgraph {
 namespace {
 
@@ -84,7 +86,12 @@ Trajectory SurveyTrajectory(const Truth& truth, const Evidence& evidence) {
     const bool whole_leg = to.time_ns > from.time_ns;
     const double share =
         whole_leg ? std::clamp(ShareOfLeg(walked, from.time_ns, to.time_ns, time), 0.0, 1.0) : 0.0;
-    trajectory.poses.push_back(PoseOnLeg(from, to, time, share));
+    PoseEstimate pose = PoseOnLeg(from, to, time, share);
+    if (!trajectory.empty()) {
+      const double before = trajectory.poses.back().heading_rad;
+      pose.heading_rad = before + WrapAngle(pose.heading_rad - before);
+    }
+    trajectory.poses.push_back(pose);
   }
   return trajectory;
 }
