@@ -12,7 +12,9 @@ std::vector<Sweep> GroupSweeps(const Evidence& evidence, Radio radio) {
   for (std::size_t i = 0; i < evidence.readings.size(); ++i) {
     const RadioReading& reading = evidence.readings[i];
     if (evidence.transmitters[reading.transmitter].radio != radio) continue;
-    by_print[reading.printed_ns / bin_ns].readings.push_back(i);
+    // Rounded down also before zero, where a division alone would join the seconds on its sides.
+    const TimeNs into_bin = ((reading.printed_ns % bin_ns) + bin_ns) % bin_ns;
+    by_print[reading.printed_ns - into_bin].readings.push_back(i);
   }
   std::vector<Sweep> sweeps;
   sweeps.reserve(by_print.size());
