@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "frontends/radio_map/map_builder.h"
 #include "frontends/radio_map/map_calibration.h"
@@ -17,6 +18,7 @@ constexpr double kClampSeconds = 1.0;
 std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
   std::set<Transmitter> all;
   for (const SurveyWalk& walk : walks) {
+    if (walk.trajectory.empty()) continue;
     for (const RadioReading& reading : walk.evidence->readings) {
       all.insert(walk.evidence->transmitters[reading.transmitter]);
     }

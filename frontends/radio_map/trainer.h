@@ -15,7 +15,6 @@ struct TrainerSettings {
   double grid_spacing_m = 4.0;     // of the control points
   double sample_spacing_m = 3.0;   // readings of one walk closer than this become one sample
   double margin_m = 15.0;          // of a transmitter's field around the places that heard it
-  double hear_bandwidth_m = 5.0;   // of the kernel that counts heard and missed sweeps
   double hear_prior_sweeps = 1.0;  // weight of the floor-wide rate in the probability of hearing
 };
 
@@ -25,23 +24,23 @@ void Visit(Visitor& v, TrainerSettings& s) {
   v.Field("sample_spacing_m", s.sample_spacing_m,
           "readings of one walk closer than this become one sample, m");
   v.Field("margin_m", s.margin_m, "field around the places that heard a transmitter, m");
-  v.Field("hear_bandwidth_m", s.hear_bandwidth_m, "kernel that counts heard and missed sweeps, m");
   v.Field("hear_prior_sweeps", s.hear_prior_sweeps,
           "weight of the floor-wide rate in the probability of hearing, sweeps");
 }
 
-// A walk with known positions: covariance_xy of the trajectory, where finite, says how well.
+// A walk with known positions. How well they are known shows in the noise that the fields are
+// fitted with: the trajectory's covariance is not used.
 struct SurveyWalk {
   const Evidence* evidence = nullptr;
   Trajectory trajectory;
 };
 
 // Trains the radio maps of every floor and radio from survey walks (pairs of evidence and
-// trajectory). Walks without readings or without a trajectory add nothing. Each field is a Gaussian
-// process whose length scale, amplitude and noise maximise the predictive density of whole walks
-// left out in turn; a map's n_eff and map_error_sigma_m are calibrated on survey walks held out of
-// the map. Deterministic: equal input gives an equal site. No survey at all gives a site without
-// maps.
+// trajectory). Walks without a trajectory add nothing, walks without readings only their path. Each
+// field is a Gaussian process; its length scale and noise, the bandwidth of hearing and a map's
+// n_eff and map_error_sigma_m are chosen by how well they place survey walks held out of the map
+// (see map_calibration.h). Deterministic: equal input gives an equal site. No survey at all gives a
+// site without maps.
 Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                const TrainerSettings& settings);
 
