@@ -1,10 +1,12 @@
 #include "solvers/baselines/discrete_smoother.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "data/angle.h"
 #include "factors/map_sweeps.h"
 #include "solvers/baselines/lattice.h"
 #include "solvers/baselines/likelihood_grid.h"
@@ -56,8 +58,7 @@ class Emissions {
 
   void AddAnchor(const PositionAnchor& anchor) {
     const std::size_t epoch = NearestEpoch(times_, anchor.time_ns);
-    const Eigen::Vector2d at =
-        anchor.position_m - walk_.PositionAt(anchor.time_ns) + walk_.PositionAt(times_[epoch]);
+    const Eigen::Vector2d at = anchor.position_m - MovedSince(epoch, anchor.time_ns);
     const double variance = anchor.sigma_m * anchor.sigma_m + QuantisationVariance();
     for (std::size_t c = 0; c < lattice_.size(); ++c) {
       const double squared = (lattice_.centers_m()[c] - at).squaredNorm();
@@ -72,11 +73,17 @@ class Emissions {
   const std::vector<float>& at(std::size_t epoch) const { return nats_[epoch]; }
 
  private:
+  // Unknown without an absolute heading, which alone tells the direction of the dead reckoning: the
+  // mean over all directions is zero.
+  Eigen::Vector2d MovedSince(std::size_t epoch, TimeNs time_ns) const {
+    if (walk_.source != HeadingSource::kAbsolute) return Eigen::Vector2d::Zero();
+    return walk_.PositionAt(time_ns) - walk_.PositionAt(times_[epoch]);
+  }
+
   // A reading heard between epochs speaks of the cell that the person passed then.
   void AddMoved(TimeNs time_ns, const std::vector<float>& cost) {
     const std::size_t epoch = NearestEpoch(times_, time_ns);
-    const Eigen::Vector2d moved =
-        (walk_.PositionAt(time_ns) - walk_.PositionAt(times_[epoch])) / lattice_.spacing_m();
+    const Eigen::Vector2d moved = MovedSince(epoch, time_ns) / lattice_.spacing_m();
     const int columns = static_cast<int>(std::lround(moved.x()));
     const int rows = static_cast<int>(std::lround(moved.y()));
     std::vector<float>& sum = nats_[epoch];
@@ -310,6 +317,12 @@ DiscretePath Trace(const std::vector<Layer>& layers, std::size_t last, const Lat
     path.heading_offset_rad.value[k] = bins.offset_rad[static_cast<std::size_t>(state.bin)];
     index = state.previous;
   }
+  // Bins on a circle: without this, interpolation would turn all the way round between the last
+  // and the first.
+  std::vector<double>& offset = path.heading_offset_rad.value;
+  for (std::size_t k = 1; k < offset.size(); ++k) {
+    offset[k] = offset[k - 1] + WrapAngle(offset[k] - offset[k - 1]);
+  }
   return path;
 }
 
@@ -348,15 +361,23 @@ std::vector<DiscretePath> DistinctPaths(const Trellis& trellis, const Lattice& l
 Eigen::Vector2d DiscretePath::PositionAt(const DeadReckonedPath& walk, TimeNs time_ns) const {
   const auto& times = position_m.time_ns;
   const auto after = std::upper_bound(times.begin(), times.end(), time_ns);
-  const auto correction = [&](std::size_t i) -> Eigen::Vector2d {
-    return position_m.value[i] - walk.PositionAt(times[i]);
-  };
   if (after == times.begin()) return position_m.value.front();
-  if (after == times.end()) return walk.PositionAt(time_ns) + correction(times.size() - 1);
-  const auto i = static_cast<std::size_t>(after - times.begin());
+  const auto next = static_cast<std::size_t>(after - times.begin());
+  const std::size_t last = next - 1;
+  // Without any heading the walk's direction means nothing.
+  const bool turns = walk.source != HeadingSource::kNone;
+  const Eigen::Rotation2Dd turn(heading_offset_rad.value[last]);
+  const auto moved_until = [&](TimeNs time) -> Eigen::Vector2d {
+    if (!turns) return Eigen::Vector2d::Zero();
+    return turn * (walk.PositionAt(time) - walk.PositionAt(times[last]));
+  };
+  const Eigen::Vector2d along = position_m.value[last] + moved_until(time_ns);
+  if (after == times.end()) return along;
+  const Eigen::Vector2d missed =
+      position_m.value[next] - position_m.value[last] - moved_until(times[next]);
   const double share =
-      SecondsBetween(times[i - 1], time_ns) / SecondsBetween(times[i - 1], times[i]);
-  return walk.PositionAt(time_ns) + (1.0 - share) * correction(i - 1) + share * correction(i);
+      SecondsBetween(times[last], time_ns) / SecondsBetween(times[last], times[next]);
+  return along + share * missed;
 }
 
 std::vector<DiscretePath> SmoothOnLattice(const Site& site, const Evidence& evidence,

@@ -38,9 +38,11 @@ void Visit(Visitor& v, DiscreteSettings& s) {
 struct DiscretePath {
   double negative_log_posterior = 0;   // nats, up to a constant that all paths of a floor share
   Stream<Eigen::Vector2d> position_m;  // at the epochs
-  Stream<double> heading_offset_rad;   // at the epochs, to add to the dead-reckoned heading
+  // At the epochs, unwrapped, to add to the dead-reckoned heading.
+  Stream<double> heading_offset_rad;
 
-  // Between epochs the path follows `walk`, with the correction linear in time.
+  // Between epochs the path follows `walk`, turned by the epoch's heading offset, with what it
+  // misses the next epoch's cell by added linearly in time.
   Eigen::Vector2d PositionAt(const DeadReckonedPath& walk, TimeNs time_ns) const;
 };
 
