@@ -14,6 +14,8 @@ namespace walkgraph {
 //   factors.<factor>.<key>   their switches (enabled, mode, loss)
 //   frontend.<part>.<key>    how streams become evidence
 //   radio_map.<key>          how a survey becomes a map
+//   solver.<key>             how the graph is solved
+//   window.<key>             what the sliding window adds
 //   baselines.<method>.<key> what they do not share with the graph
 //   scoring.<key>            how estimates are scored
 // `walkgraph config` prints it, with documentation and defaults, as YAML that reads back.

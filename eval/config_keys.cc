@@ -83,6 +83,8 @@ std::vector<ConfigKey> CollectKeys(Settings* settings) {
   Visit(factors, settings->factors);
   Collect("frontend", settings->frontend, &keys);
   Collect("radio_map", settings->radio_map, &keys);
+  Collect("solver", settings->solver, &keys);
+  Collect("window", settings->window, &keys);
   Collect("baselines", settings->baselines, &keys);
   Collect("scoring", settings->scoring, &keys);
   return keys;

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -19,9 +18,9 @@
 #include "eval/progress.h"
 #include "eval/result_files.h"
 #include "eval/run_folder.h"
+#include "eval/run_walk.h"
 #include "eval/summary.h"
 #include "eval/summary_json.h"
-#include "eval/survey_distance.h"
 
 namespace walkgraph {
 namespace {
@@ -80,6 +79,8 @@ class EvaluationRun {
 
   void AssignFolds() {
     for (const Method* method : options_.methods) evaluation_.methods.push_back(method->name);
+    walk_options_ = {options_.out, evaluation_.methods, options_.tum,
+                     run_.settings.scoring.waypoint_sigma_m};
     evaluation_.walks.resize(test_count_);
     std::vector<WalkToSplit> to_split;
     for (std::size_t i = 0; i < test_count_; ++i) {
@@ -103,7 +104,10 @@ class EvaluationRun {
     const FoldJobs jobs = {.prepare = [&](std::size_t fold) { Prepare(fold); },
                            .run =
                                [&](std::size_t fold, std::size_t walk) {
-                                 RunWalk(folds_[fold], walks_[walk], &evaluation_.walks[walk]);
+                                 const Fold& f = folds_[fold];
+                                 evaluation_.walks[walk] =
+                                     RunWalk(walk_options_, f.site, f.estimators, walks_[walk],
+                                             evaluation_.walks[walk].fold);
                                  progress.Done(walks_[walk].file.id);
                                },
                            .release = [&](std::size_t fold) { folds_[fold] = Fold(); }};
@@ -124,50 +128,6 @@ class EvaluationRun {
               << SecondsSince(begin) << " s";
   }
 
-  void RunWalk(const Fold& fold, const LoadedWalk& walk, WalkOutcome* outcome) const {
-    outcome->truth = walk.truth;
-    outcome->duration_s = SecondsBetween(walk.evidence.begin_ns, walk.evidence.end_ns);
-    outcome->survey_distance_m = SurveyDistance(fold.site, walk.truth);
-    outcome->centroid_errors = CentroidErrors(fold.site, walk);
-    for (std::size_t i = 0; i < options_.methods.size(); ++i) {
-      outcome->methods.push_back(Score(fold, i, walk));
-    }
-    WriteFileWhole(options_.out + "/walks/" + walk.file.id + ".json",
-                   FormatWalkJson(*outcome, evaluation_.methods));
-    outcome->finished = true;
-  }
-
-  MethodOutcome Score(const Fold& fold, std::size_t method, const LoadedWalk& walk) const {
-    MethodOutcome outcome;
-    if (!walk.error.empty()) {
-      outcome.status = EstimateStatus::kInputError;
-      outcome.messages = {walk.error};
-      return outcome;
-    }
-    const Clock::time_point begin = Clock::now();
-    const EstimateResult result = RunMethod(*fold.estimators[method], fold.site, walk.evidence);
-    outcome.seconds = SecondsSince(begin);
-    outcome.status = result.status;
-    outcome.messages = result.messages;
-    outcome.has_trajectory = !result.trajectory.empty();
-    if (outcome.has_trajectory) {
-      outcome.errors =
-          ErrorsAtWaypoints(result.trajectory, walk.truth, run_.settings.scoring.waypoint_sigma_m);
-    }
-    WriteEstimate(options_.out, walk.file.id, evaluation_.methods[method], result, options_.tum);
-    for (const std::string& message : result.messages) {
-      LOG(INFO) << walk.file.id << " " << evaluation_.methods[method] << ": " << message;
-    }
-    return outcome;
-  }
-
-  static std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& walk) {
-    if (walk.truth.waypoints.empty()) return {};
-    const int floor = walk.evidence.floor.value_or(walk.truth.waypoints.front().floor);
-    const Eigen::Vector2d centroid = SurveyCentroid(site, floor).value_or(Eigen::Vector2d::Zero());
-    return ErrorsOfFixedPoint(centroid, floor, walk.truth);
-  }
-
   int Finish() {
     std::map<int, std::string> floor_names;
     for (const Floor& floor : building_.floors) floor_names[floor.number] = floor.name;
@@ -185,12 +145,7 @@ class EvaluationRun {
 
   int ExitCode() const {
     if (options_.stopped()) return kExitInterrupted;
-    for (const WalkOutcome& walk : evaluation_.walks) {
-      for (const MethodOutcome& method : walk.methods) {
-        if (method.has_trajectory) return kExitOk;
-      }
-    }
-    return kExitNoTrajectory;
+    return AnyTrajectory(evaluation_) ? kExitOk : kExitNoTrajectory;
   }
 
   std::string ProgressLog() const { return options_.out + "/run/progress"; }
@@ -204,6 +159,7 @@ class EvaluationRun {
   std::vector<std::vector<std::size_t>> walks_of_fold_;
   std::vector<Fold> folds_;
   Evaluation evaluation_;
+  WalkRunOptions walk_options_;
 };
 
 }  // namespace

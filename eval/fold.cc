@@ -1,9 +1,6 @@
 #include "eval/fold.h"
 
-#include <algorithm>
-#include <cmath>
 #include <deque>
-#include <exception>
 
 #include "eval/calibrate/calibrate_motion.h"
 #include "eval/cross_validation.h"
@@ -11,14 +8,6 @@
 #include "frontends/radio_map/trainer.h"
 
 namespace walkgraph {
-namespace {
-
-bool IsFinite(const PoseEstimate& pose) {
-  return pose.position_m.allFinite() && std::isfinite(pose.heading_rad);
-}
-
-}  // namespace
-
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
                  const std::vector<const Method*>& methods,
@@ -44,24 +33,6 @@ Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>&
   fold.site = TrainSite(building, survey, fold.settings.radio_map);
   for (const Method* method : methods) fold.estimators.push_back(method->make(fold.settings));
   return fold;
-}
-
-EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence) {
-  EstimateResult result;
-  try {
-    result = estimator.Estimate(site, evidence);
-  } catch (const std::exception& error) {
-    result = EstimateResult();
-    result.status = EstimateStatus::kDiverged;
-    result.messages.push_back(error.what());
-  }
-  const std::vector<PoseEstimate>& poses = result.trajectory.poses;
-  if (!std::all_of(poses.begin(), poses.end(), IsFinite)) {
-    result.status = EstimateStatus::kDiverged;
-    result.messages.push_back("a pose is not finite");
-    result.trajectory = Trajectory();
-  }
-  return result;
 }
 
 }  // namespace walkgraph

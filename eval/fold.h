@@ -7,7 +7,6 @@
 #include "eval/config.h"
 #include "eval/loaded_walk.h"
 #include "eval/methods.h"
-#include "eval/outcome.h"
 #include "frontends/radio_map/site.h"
 
 namespace walkgraph {
@@ -25,10 +24,6 @@ Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>&
                  const std::vector<const LoadedWalk*>& test,
                  const std::vector<const Method*>& methods,
                  const std::vector<ConfigOverride>& overrides);
-
-// One method on one walk. An exception or a pose that is not finite becomes status `diverged`
-// without a trajectory.
-EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence);
 
 }  // namespace walkgraph
 

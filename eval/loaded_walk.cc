@@ -1,13 +1,24 @@
 #include "eval/loaded_walk.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
+#include "data/input_error.h"
 #include "eval/files.h"
 #include "frontends/build_evidence.h"
 
 namespace walkgraph {
+
+std::vector<WalkFile> WalksAt(const std::string& path) {
+  if (!std::filesystem::is_directory(path)) return {IdentifyWalk(path)};
+  try {
+    return {IdentifyWalk(path)};  // a walk may be a folder too
+  } catch (const InputError&) {
+    return OpenDataset(path).walks;
+  }
+}
 
 LoadedWalk LoadWalk(const WalkFile& file, const Building& building,
                     const FrontendSettings& settings, bool floor_given) {

@@ -21,6 +21,10 @@ struct LoadedWalk {
   std::string error;     // empty where the walk is usable
 };
 
+// The recording at `path`, or those of the data set there. Throws InputError where there is
+// neither.
+std::vector<WalkFile> WalksAt(const std::string& path);
+
 // Reads one walk. With `floor_given` the evidence carries the floor of the folder or, failing that,
 // of the first waypoint. Never throws on input: a walk that cannot be read has its error set.
 LoadedWalk LoadWalk(const WalkFile& file, const Building& building,

@@ -7,6 +7,7 @@
 #include "eval/suggest.h"
 #include "eval/usage_error.h"
 #include "solvers/baselines/viterbi.h"
+#include "solvers/batch_smoother.h"
 
 namespace walkgraph {
 namespace {
@@ -30,6 +31,11 @@ constexpr MethodDescription kViterbiDescription{
     "Viterbi, IEEE Trans. Information Theory 13, 1967",
     "cell and heading offset are the hidden state; no covariance"};
 
+constexpr MethodDescription kBatchDescription{
+    "batch", "the factor graph over the whole walk, with the covariance of every node",
+    "Dellaert and Kaess, Factor Graphs for Robot Perception, 2017",
+    "modes compared by the posterior mass about each; the covariance mixes those that are kept"};
+
 }  // namespace
 
 const std::vector<Method>& Methods() {
@@ -52,6 +58,10 @@ const std::vector<Method>& Methods() {
       Describe(kViterbiDescription,
                [](const Settings& s) -> std::unique_ptr<Estimator> {
                  return std::make_unique<Viterbi>(s.factors, s.baselines.viterbi);
+               }),
+      Describe(kBatchDescription,
+               [](const Settings& s) -> std::unique_ptr<Estimator> {
+                 return std::make_unique<BatchSmoother>(s.factors, s.solver);
                }),
   };
   return *kMethods;

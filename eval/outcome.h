@@ -39,6 +39,15 @@ struct Evaluation {
   std::vector<WalkOutcome> walks;
 };
 
+inline bool AnyTrajectory(const Evaluation& evaluation) {
+  for (const WalkOutcome& walk : evaluation.walks) {
+    for (const MethodOutcome& method : walk.methods) {
+      if (method.has_trajectory) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_EVAL_OUTCOME_H_

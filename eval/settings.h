@@ -7,6 +7,7 @@
 #include "solvers/baselines/dead_reckoning.h"
 #include "solvers/baselines/discrete_smoother.h"
 #include "solvers/baselines/wknn.h"
+#include "solvers/settings.h"
 
 namespace walkgraph {
 
@@ -42,6 +43,8 @@ struct Settings {
   FactorSettings factors;
   FrontendSettings frontend;
   TrainerSettings radio_map;
+  SolverSettings solver;
+  WindowSettings window;
   BaselineSettings baselines;
   ScoringSettings scoring;
 };

@@ -38,7 +38,7 @@ double SurveyDistance(const Site& site, const Truth& truth) {
   return sum / static_cast<double>(truth.waypoints.size());
 }
 
-std::optional<Eigen::Vector2d> SurveyCentroid(const Site& site, int floor) {
+std::optional<Eigen::Vector2d> SurveyMean(const Site& site, int floor) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   int count = 0;
   for (const SurveyPoint& point : site.path) {

@@ -19,7 +19,7 @@ double SurveyDistance(const Site& site, const Truth& truth);
 
 // The mean of the surveyed points of a floor: where a walk that no method placed is scored. nullopt
 // where the floor was not surveyed.
-std::optional<Eigen::Vector2d> SurveyCentroid(const Site& site, int floor);
+std::optional<Eigen::Vector2d> SurveyMean(const Site& site, int floor);
 
 }  // namespace walkgraph
 

@@ -10,6 +10,7 @@ DEFINE_string(config, "", "YAML file with settings; `walkgraph config` prints th
 DEFINE_string(set, "", "one setting, KEY=VALUE; may be given several times, wins over --config");
 DEFINE_string(dataset, "", "folder of recorded walks, of any known format");
 DEFINE_string(floor, "given", "whether methods are told the floor: given or unknown");
+DEFINE_bool(tum, false, "write trajectories in TUM format too");
 DEFINE_string(out, "", "where results go");
 DEFINE_int32(workers, 0, "walks worked on at once; 0 takes the number of cores");
 

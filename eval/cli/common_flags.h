@@ -13,6 +13,7 @@
 DECLARE_string(config);
 DECLARE_string(dataset);
 DECLARE_string(floor);
+DECLARE_bool(tum);
 DECLARE_string(out);
 DECLARE_int32(workers);
 

@@ -9,7 +9,6 @@ DEFINE_string(test, "", "folder of walks to test on, in place of --dataset");
 DEFINE_string(methods, "", "comma-separated names; `walkgraph methods` lists them");
 DEFINE_int32(folds, 5, "parts of the cross-validation");
 DEFINE_string(split, "walk", "what stays together: walk, session, trial, phone or block");
-DEFINE_bool(tum, false, "write trajectories in TUM format too");
 
 namespace walkgraph {
 namespace {

@@ -1,11 +1,11 @@
 #include <cstdio>
-#include <filesystem>
 
 #include "common_flags.h"
 #include "data/dataset.h"
 #include "data/input_error.h"
 #include "eval/evaluate.h"
 #include "eval/inspect.h"
+#include "eval/loaded_walk.h"
 #include "eval/usage_error.h"
 #include "verbs.h"
 
@@ -13,12 +13,6 @@ DEFINE_bool(json, false, "print one JSON list instead of tables");
 
 namespace walkgraph {
 namespace {
-
-// A recording, or all recordings of a data set.
-std::vector<WalkFile> WalksAt(const std::string& path) {
-  if (!std::filesystem::is_directory(path)) return {IdentifyWalk(path)};
-  return OpenDataset(path).walks;
-}
 
 // Prints one walk; `separator` goes before it.
 void Print(const Inspection& inspection, const char* separator) {

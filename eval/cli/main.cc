@@ -17,7 +17,8 @@ namespace walkgraph {
 namespace {
 
 std::vector<Verb> Verbs() {
-  return {InspectVerb(), EvaluateVerb(), ReportVerb(), ConfigVerb(), MethodsVerb(), VersionVerb()};
+  return {InspectVerb(),  SurveyVerb(), SmoothVerb(),  EvaluateVerb(), ReportVerb(),
+          SimulateVerb(), ConfigVerb(), MethodsVerb(), VersionVerb()};
 }
 
 std::string Usage() {

@@ -7,8 +7,11 @@ namespace walkgraph {
 
 // One per file; each reads the gflags that it names in its Verb.
 Verb InspectVerb();
+Verb SurveyVerb();
+Verb SmoothVerb();
 Verb EvaluateVerb();
 Verb ReportVerb();
+Verb SimulateVerb();
 Verb ConfigVerb();
 Verb MethodsVerb();
 Verb VersionVerb();

@@ -1,0 +1,139 @@
+#include "eval/smooth.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "data/dataset.h"
+#include "data/input_error.h"
+#include "eval/evaluate.h"
+#include "eval/files.h"
+#include "eval/fold.h"
+#include "eval/loaded_walk.h"
+#include "eval/parallel.h"
+#include "eval/progress.h"
+#include "eval/result_files.h"
+#include "eval/run_folder.h"
+#include "eval/run_walk.h"
+#include "eval/summary.h"
+#include "eval/usage_error.h"
+#include "frontends/radio_map/site_file.h"
+
+namespace walkgraph {
+namespace {
+
+// The walks of all recordings. One that is not recognised becomes a row with status input_error,
+// unless there is no other. Throws InputError then, UsageError where two walks share an id.
+std::vector<LoadedWalk> FindWalks(const std::vector<std::string>& paths) {
+  std::vector<LoadedWalk> walks;
+  std::optional<InputError> first_error;
+  for (const std::string& path : paths) {
+    try {
+      for (const WalkFile& file : WalksAt(path)) {
+        walks.emplace_back();
+        walks.back().file = file;
+      }
+    } catch (const InputError& error) {
+      if (!first_error) first_error = error;
+      walks.emplace_back();
+      walks.back().file.id = std::filesystem::path(path).stem().string();
+      walks.back().error = error.what();
+    }
+  }
+  const auto broken = [](const LoadedWalk& walk) { return !walk.error.empty(); };
+  if (first_error && std::all_of(walks.begin(), walks.end(), broken)) throw *first_error;
+  std::set<std::string> ids;
+  for (const LoadedWalk& walk : walks) {
+    if (!ids.insert(walk.file.id).second) {
+      throw UsageError("two recordings are called \"" + walk.file.id + "\", expected each once");
+    }
+  }
+  return walks;
+}
+
+// The floors by name, for the table.
+std::map<int, std::string> FloorNames(const Building& building) {
+  std::map<int, std::string> names;
+  for (const Floor& floor : building.floors) names[floor.number] = floor.name;
+  return names;
+}
+
+}  // namespace
+
+int SmoothRecordings(const SmoothOptions& options) {
+  Settings settings;
+  ApplyOverrides(options.overrides, &settings);
+  const Site site = ReadSiteFile(options.site);
+  std::vector<LoadedWalk> walks = FindWalks(options.recordings);
+  PrepareResultFolder(options.out);
+  LogToRunFolder(options.out);
+  WriteRunDescription(options.out, options.command_line, options.workers);
+
+  Evaluation evaluation;
+  std::vector<std::unique_ptr<Estimator>> estimators;
+  for (const Method* method : options.methods) {
+    evaluation.methods.push_back(method->name);
+    estimators.push_back(method->make(settings));
+  }
+  evaluation.walks.resize(walks.size());
+  const WalkRunOptions run = {options.out, evaluation.methods, options.tum,
+                              settings.scoring.waypoint_sigma_m};
+  {
+    Progress progress(static_cast<int>(walks.size()), "walks", options.out + "/run/progress");
+    ParallelFor(options.workers, walks.size(), options.stopped, [&](std::size_t i) {
+      LoadedWalk& walk = walks[i];
+      if (walk.error.empty()) {
+        walk = LoadWalk(walk.file, site.building, settings.frontend, options.floor_given);
+      }
+      if (options.anchor_every > 0) {
+        UseWaypointsAsAnchors(options.anchor_every, settings.scoring.waypoint_sigma_m, &walk);
+      }
+      evaluation.walks[i] = RunWalk(run, site, estimators, walk, 0);
+      progress.Done(walk.file.id);
+    });
+  }
+  WriteFileWhole(options.out + "/scores.csv", FormatScoresCsv(evaluation));
+  WriteFileWhole(options.out + "/building.json", FormatBuildingJson(site.building));
+  WriteTimings(options.out, evaluation);
+  const auto sections = SummariseEvaluation(evaluation, FloorNames(site.building));
+  std::fputs(FormatSummary(sections, SecondsPerWalk(evaluation)).c_str(), stdout);
+  if (options.stopped()) return kExitInterrupted;
+  return AnyTrajectory(evaluation) ? kExitOk : kExitNoTrajectory;
+}
+
+int SurveyDataset(const std::string& dataset_path, const std::string& out, int workers,
+                  const std::vector<ConfigOverride>& overrides,
+                  const std::function<bool()>& stopped) {
+  Settings settings;
+  ApplyOverrides(overrides, &settings);
+  const Dataset dataset = OpenDataset(dataset_path);
+  std::vector<LoadedWalk> walks(dataset.walks.size());
+  {
+    Progress progress(static_cast<int>(walks.size()), "walks read", "");
+    ParallelFor(workers, walks.size(), stopped, [&](std::size_t i) {
+      walks[i] = LoadWalk(dataset.walks[i], dataset.building, settings.frontend, true);
+      progress.Done(dataset.walks[i].id);
+    });
+  }
+  if (stopped()) return kExitInterrupted;
+  std::vector<const LoadedWalk*> training;
+  for (const LoadedWalk& walk : walks) {
+    if (!walk.error.empty()) std::fprintf(stderr, "walkgraph: %s\n", walk.error.c_str());
+    if (!walk.truth.waypoints.empty()) training.push_back(&walk);
+  }
+  if (training.empty()) {
+    throw InputError(dataset_path, 0, "no walk has waypoints", "walks with ground truth");
+  }
+  std::fprintf(stderr, "training on %zu walks\n", training.size());
+  const Site site = PrepareFold(dataset.building, training, {}, {}, overrides).site;
+  WriteSiteFile(site, out);
+  std::printf("%s: %zu transmitters, %zu maps, %zu scans\n", out.c_str(), site.transmitters.size(),
+              site.maps.size(), site.scans.size());
+  return kExitOk;
+}
+
+}  // namespace walkgraph
