@@ -14,6 +14,9 @@ constexpr std::array<std::string_view, 3> kStateModeNames = {"active", "fixed", 
 
 std::span<const std::string_view> EnumNames(LossKind /*tag*/) { return kLossNames; }
 std::span<const std::string_view> EnumNames(StateMode /*tag*/) { return kStateModeNames; }
+std::span<const std::string_view> EnumNames(ReferenceArea /*tag*/) { return kReferenceAreaNames; }
+std::span<const std::string_view> EnumNames(HipeCase /*tag*/) { return kHipeCaseNames; }
+std::span<const std::string_view> EnumNames(HipeDistance /*tag*/) { return kHipeDistanceNames; }
 
 template <typename Value>
 auto BindTarget(Value& value) {

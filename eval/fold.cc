@@ -8,6 +8,7 @@
 #include "frontends/radio_map/trainer.h"
 
 namespace walkgraph {
+
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
                  const std::vector<const Method*>& methods,

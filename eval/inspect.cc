@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "data/angle.h"
 #include "eval/table.h"
 #include "frontends/build_evidence.h"
 
@@ -43,6 +45,26 @@ void CountEvidence(const Evidence& evidence, std::map<std::string, std::int64_t>
   (*counts)["readings"] = static_cast<std::int64_t>(evidence.readings.size());
 }
 
+Json HeadingJson(const HeadingFigures& figures) {
+  return {
+      {"samples", figures.samples}, {"mean_rad", figures.MeanRad()}, {"rms_rad", figures.RmsRad()}};
+}
+
+Json SensorsJson(const SensorFigures& figures) {
+  Json json = {{"heading_walking", HeadingJson(figures.heading_walking)},
+               {"heading_standing", HeadingJson(figures.heading_standing)},
+               {"legs", Json::array()}};
+  for (const LegFigures& leg : figures.legs) {
+    json["legs"].push_back({{"begin_ns", leg.begin_ns},
+                            {"end_ns", leg.end_ns},
+                            {"true_m", leg.true_m},
+                            {"estimated_m", leg.estimated_m},
+                            {"steps", leg.steps},
+                            {"straight", leg.straight}});
+  }
+  return json;
+}
+
 std::string FormatCounts(const std::string& title,
                          const std::map<std::string, std::int64_t>& counts) {
   if (counts.empty()) return "";
@@ -53,7 +75,8 @@ std::string FormatCounts(const std::string& title,
 
 }  // namespace
 
-Inspection InspectWalk(const Walk& walk, const FrontendSettings& settings) {
+Inspection InspectWalk(const Walk& walk, const Building& building,
+                       const FrontendSettings& settings) {
   const Recording& recording = walk.recording;
   Inspection inspection;
   inspection.id = recording.id;
@@ -69,8 +92,14 @@ Inspection InspectWalk(const Walk& walk, const FrontendSettings& settings) {
   for (const Transmitter& transmitter : recording.transmitters) {
     ++inspection.transmitters[RadioName(transmitter.radio)];
   }
-  CountEvidence(BuildEvidence(recording, settings), &inspection.evidence);
+  const Evidence evidence = BuildEvidence(recording, settings);
+  CountEvidence(evidence, &inspection.evidence);
   inspection.waypoints = static_cast<std::int64_t>(walk.truth.waypoints.size());
+  if (walk.truth.frame == TruthFrame::kBuilding || building.origin) {
+    const double rotation_rad = building.origin ? -building.origin->rotation_rad : 0.0;
+    inspection.sensors =
+        ComputeSensorFigures(evidence, ToBuildingFrame(walk.truth, building), rotation_rad);
+  }
   return inspection;
 }
 
@@ -101,6 +130,27 @@ std::string FormatInspection(const Inspection& inspection) {
   return text;
 }
 
+std::string FormatSensorSummary(const std::vector<Inspection>& inspections) {
+  std::vector<SensorFigures> figures;
+  for (const Inspection& inspection : inspections) figures.push_back(inspection.sensors);
+  const SensorSummary sum = Summarize(figures);
+  if (sum.legs == 0 && sum.heading_walking.samples == 0) return "";
+  const auto degrees = [](double rad) { return FixedDecimals(RadiansToDegrees(rad), 1); };
+  const auto share = [](double value) { return FixedDecimals(100 * value, 1); };
+  Table table({"sensors against truth", "n", "mean", "median", "rms or sd"});
+  for (const auto& [name, heading] : {std::pair{"heading walking, deg", sum.heading_walking},
+                                      std::pair{"heading standing, deg", sum.heading_standing}}) {
+    table.AddRow({name, std::to_string(heading.samples), degrees(heading.MeanRad()), "-",
+                  degrees(heading.RmsRad())});
+  }
+  table.AddRow({"distance rate, straight legs, %", std::to_string(sum.straight_legs),
+                share(sum.distance_rate_mean), share(sum.distance_rate_median),
+                share(sum.distance_rate_std)});
+  table.AddRow({"displacement error, legs, %", std::to_string(sum.legs), "-",
+                share(sum.displacement_error_median), "-"});
+  return table.Format();
+}
+
 std::string FormatInspectionJson(const Inspection& inspection) {
   const ReadReport& report = inspection.report;
   Json json = {{"id", inspection.id},
@@ -126,6 +176,7 @@ std::string FormatInspectionJson(const Inspection& inspection) {
                                     {"starts_after_s", stream.starts_after_s},
                                     {"stops_before_s", stream.stops_before_s}};
   }
+  json["sensors"] = SensorsJson(inspection.sensors);
   return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 

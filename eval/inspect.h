@@ -8,6 +8,7 @@
 
 #include "data/dataset.h"
 #include "data/read_report.h"
+#include "frontends/sensor_figures.h"
 #include "frontends/settings.h"
 
 namespace walkgraph {
@@ -35,12 +36,20 @@ struct Inspection {
   // Rows as printed by unique readings as used, and other counts of the frontends.
   std::map<std::string, std::int64_t> evidence;
   std::int64_t waypoints = 0;
+  SensorFigures sensors;  // empty without truth
 };
 
-Inspection InspectWalk(const Walk& walk, const FrontendSettings& settings);
+// `building` turns WGS84 truth into metres and its rotation headings into directions; without an
+// origin such truth is counted, but no sensor is compared with it.
+Inspection InspectWalk(const Walk& walk, const Building& building,
+                       const FrontendSettings& settings);
 
 // For people.
 std::string FormatInspection(const Inspection& inspection);
+
+// Heading errors (signed mean and RMS, walking and standing) and distance rates of the straight
+// legs of all walks together; empty where no walk has any.
+std::string FormatSensorSummary(const std::vector<Inspection>& inspections);
 
 // For programs: one JSON object with the fields of Inspection, without a newline.
 std::string FormatInspectionJson(const Inspection& inspection);

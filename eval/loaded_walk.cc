@@ -11,13 +11,16 @@
 
 namespace walkgraph {
 
-std::vector<WalkFile> WalksAt(const std::string& path) {
-  if (!std::filesystem::is_directory(path)) return {IdentifyWalk(path)};
+Dataset WalksAt(const std::string& path) {
+  Dataset single;
+  single.path = path;
   try {
-    return {IdentifyWalk(path)};  // a walk may be a folder too
+    single.walks = {IdentifyWalk(path)};  // a file, or the folder of one walk
   } catch (const InputError&) {
-    return OpenDataset(path).walks;
+    if (!std::filesystem::is_directory(path)) throw;
+    return OpenDataset(path);
   }
+  return single;
 }
 
 LoadedWalk LoadWalk(const WalkFile& file, const Building& building,

@@ -26,6 +26,11 @@ Method Describe(const MethodDescription& description, decltype(Method::make) mak
   return {std::string(description.name), description, std::move(make)};
 }
 
+template <typename Method>
+std::unique_ptr<Estimator> Own(Method method) {
+  return std::make_unique<Method>(std::move(method));
+}
+
 constexpr MethodDescription kViterbiDescription{
     "viterbi", "the graph's motion, radio map and noise on a lattice; its proposal too",
     "Viterbi, IEEE Trans. Information Theory 13, 1967",
@@ -41,28 +46,34 @@ constexpr MethodDescription kBatchDescription{
 const std::vector<Method>& Methods() {
   static const std::vector<Method>* const kMethods = new std::vector<Method>{
       Describe(kNearestNeighbourDescription,
-               [](const Settings& s) -> std::unique_ptr<Estimator> {
-                 return std::make_unique<WknnEstimator>(
-                     WknnEstimator::NearestNeighbour(s.baselines.wknn, s.factors));
+               [](const Settings& s) {
+                 return Own(WknnEstimator::NearestNeighbour(s.baselines.wknn, s.factors));
                }),
-      Describe(kWknnDescription,
-               [](const Settings& s) -> std::unique_ptr<Estimator> {
-                 return std::make_unique<WknnEstimator>(
-                     WknnEstimator::Wknn(s.baselines.wknn, s.factors));
-               }),
+      Describe(
+          kWknnDescription,
+          [](const Settings& s) { return Own(WknnEstimator::Wknn(s.baselines.wknn, s.factors)); }),
       Describe(kDeadReckoningDescription,
-               [](const Settings& s) -> std::unique_ptr<Estimator> {
-                 return std::make_unique<DeadReckoningEstimator>(s.baselines.pdr, s.baselines.wknn,
-                                                                 s.factors);
+               [](const Settings& s) {
+                 return Own(DeadReckoningEstimator(s.baselines.pdr, s.baselines.wknn, s.factors));
+               }),
+      Describe(kMleDescription,
+               [](const Settings& s) {
+                 return Own(MleEstimator(s.baselines.mle, s.baselines.wknn, s.factors));
+               }),
+      Describe(kHipeFilterDescription,
+               [](const Settings& s) {
+                 return Own(HipeEstimator(HipeSolver::kFilter, s.baselines.hipe, s.baselines.wknn,
+                                          s.factors));
+               }),
+      Describe(kHipeViterbiDescription,
+               [](const Settings& s) {
+                 return Own(HipeEstimator(HipeSolver::kViterbi, s.baselines.hipe, s.baselines.wknn,
+                                          s.factors));
                }),
       Describe(kViterbiDescription,
-               [](const Settings& s) -> std::unique_ptr<Estimator> {
-                 return std::make_unique<Viterbi>(s.factors, s.baselines.viterbi);
-               }),
+               [](const Settings& s) { return Own(Viterbi(s.factors, s.baselines.viterbi)); }),
       Describe(kBatchDescription,
-               [](const Settings& s) -> std::unique_ptr<Estimator> {
-                 return std::make_unique<BatchSmoother>(s.factors, s.solver);
-               }),
+               [](const Settings& s) { return Own(BatchSmoother(s.factors, s.solver)); }),
   };
   return *kMethods;
 }

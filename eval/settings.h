@@ -6,6 +6,8 @@
 #include "frontends/settings.h"
 #include "solvers/baselines/dead_reckoning.h"
 #include "solvers/baselines/discrete_smoother.h"
+#include "solvers/baselines/hipe.h"
+#include "solvers/baselines/mle.h"
 #include "solvers/baselines/wknn.h"
 #include "solvers/settings.h"
 
@@ -27,6 +29,8 @@ void Visit(Visitor& v, ScoringSettings& s) {
 struct BaselineSettings {
   WknnSettings wknn;
   DeadReckoningSettings pdr;
+  MleSettings mle;
+  HipeSettings hipe;
   DiscreteSettings viterbi;
 };
 
@@ -34,6 +38,8 @@ template <typename Visitor>
 void Visit(Visitor& v, BaselineSettings& s) {
   v.Group("wknn", s.wknn);
   v.Group("pdr", s.pdr);
+  v.Group("mle", s.mle);
+  v.Group("hipe", s.hipe);
   v.Group("viterbi", s.viterbi);
 }
 

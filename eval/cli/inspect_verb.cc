@@ -14,7 +14,6 @@ DEFINE_bool(json, false, "print one JSON list instead of tables");
 namespace walkgraph {
 namespace {
 
-// Prints one walk; `separator` goes before it.
 void Print(const Inspection& inspection, const char* separator) {
   std::fputs(separator, stdout);
   const std::string text =
@@ -22,24 +21,34 @@ void Print(const Inspection& inspection, const char* separator) {
   std::fputs(text.c_str(), stdout);
 }
 
+// Prints the walks at `path` and appends what was found.
+void InspectPath(const std::string& path, const FrontendSettings& settings,
+                 std::vector<Inspection>* found) {
+  const Dataset walks = WalksAt(path);
+  for (const WalkFile& file : walks.walks) {
+    found->push_back(InspectWalk(ReadWalk(file), walks.building, settings));
+    Print(found->back(), found->size() == 1 ? "" : FLAGS_json ? ",\n" : "\n");
+  }
+}
+
 int RunInspect(const CommandLine& line) {
   if (line.arguments.empty()) throw UsageError("inspect: expected at least one RECORDING");
   const Settings settings = ReadSettings(line);
-  int inspected = 0;
+  std::vector<Inspection> found;
   if (FLAGS_json) std::fputs("[", stdout);
   for (const std::string& path : line.arguments) {
     try {
-      for (const WalkFile& file : WalksAt(path)) {
-        const char* separator = FLAGS_json ? ",\n" : "\n";
-        Print(InspectWalk(ReadWalk(file), settings.frontend), inspected > 0 ? separator : "");
-        ++inspected;
-      }
+      InspectPath(path, settings.frontend, &found);
     } catch (const InputError& error) {  // the other recordings are still worth looking at
       std::fprintf(stderr, "walkgraph: %s\n", error.what());
     }
   }
-  if (FLAGS_json) std::fputs("]\n", stdout);
-  return inspected > 0 ? kExitOk : kExitBadInput;
+  if (FLAGS_json) {
+    std::fputs("]\n", stdout);
+  } else {
+    std::fputs(("\n" + FormatSensorSummary(found)).c_str(), stdout);
+  }
+  return found.empty() ? kExitBadInput : kExitOk;
 }
 
 }  // namespace
