@@ -71,9 +71,12 @@ class EvaluationRun {
       walks_[i] = LoadWalk(files_[i], building_, run_.settings.frontend, options_.floor_given);
       progress.Done(files_[i].id);
     });
-    for (const LoadedWalk& walk : walks_) {
-      if (!walk.checksum.empty()) run_.checksums[walk.file.id] = walk.checksum;
-      if (!walk.error.empty()) LOG(WARNING) << walk.file.id << ": " << walk.error;
+    for (std::size_t i = 0; i < walks_.size(); ++i) {
+      const LoadedWalk& walk = walks_[i];
+      // Walks only to train on may be called like those to test.
+      const std::string name = (i < test_count_ ? "" : "train/") + files_[i].id;
+      if (!walk.checksum.empty()) run_.checksums[name] = walk.checksum;
+      if (!walk.error.empty()) LOG(WARNING) << name << ": " << walk.error;
     }
   }
 

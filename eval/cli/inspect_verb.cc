@@ -46,7 +46,7 @@ int RunInspect(const CommandLine& line) {
   if (FLAGS_json) {
     std::fputs("]\n", stdout);
   } else {
-    std::fputs(("\n" + FormatSensorSummary(found)).c_str(), stdout);
+    std::printf("\n%s", FormatSensorSummary(found).c_str());
   }
   return found.empty() ? kExitBadInput : kExitOk;
 }
