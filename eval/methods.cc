@@ -8,6 +8,7 @@
 #include "eval/usage_error.h"
 #include "solvers/baselines/viterbi.h"
 #include "solvers/batch_smoother.h"
+#include "solvers/window_smoother.h"
 
 namespace walkgraph {
 namespace {
@@ -35,6 +36,12 @@ constexpr MethodDescription kViterbiDescription{
     "viterbi", "the graph's motion, radio map and noise on a lattice; its proposal too",
     "Viterbi, IEEE Trans. Information Theory 13, 1967",
     "cell and heading offset are the hidden state; no covariance"};
+
+constexpr MethodDescription kWindowDescription{
+    "window", "the factor graph over the last seconds, as a phone could run it",
+    "Sibley, Matthies and Sukhatme, J. Field Robotics 27, 2010 (sliding window filter)",
+    "reports a node when it leaves the window (--lag=0: when it arrives); grows until the first "
+    "evidence of a place"};
 
 constexpr MethodDescription kBatchDescription{
     "batch", "the factor graph over the whole walk, with the covariance of every node",
@@ -72,6 +79,9 @@ const std::vector<Method>& Methods() {
                }),
       Describe(kViterbiDescription,
                [](const Settings& s) { return Own(Viterbi(s.factors, s.baselines.viterbi)); }),
+      Describe(
+          kWindowDescription,
+          [](const Settings& s) { return Own(WindowSmoother(s.factors, s.solver, s.window)); }),
       Describe(kBatchDescription,
                [](const Settings& s) { return Own(BatchSmoother(s.factors, s.solver)); }),
   };

@@ -12,6 +12,7 @@ DEFINE_string(dataset, "", "folder of recorded walks, of any known format");
 DEFINE_string(floor, "given", "whether methods are told the floor: given or unknown");
 DEFINE_bool(tum, false, "write trajectories in TUM format too");
 DEFINE_string(out, "", "where results go");
+DEFINE_string(lag, "", "0 makes `window` report each pose at once instead of when it leaves");
 DEFINE_int32(workers, 0, "walks worked on at once; 0 takes the number of cores");
 
 namespace walkgraph {
@@ -31,6 +32,10 @@ std::vector<ConfigOverride> ReadOverrides(const CommandLine& line) {
   if (!FLAGS_config.empty()) overrides = ReadConfigFile(FLAGS_config);
   for (const std::string& assignment : line.assignments) {
     overrides.push_back(ParseSetFlag(assignment));
+  }
+  if (!FLAGS_lag.empty()) {
+    if (FLAGS_lag != "0") throw UsageError("--lag=" + FLAGS_lag + ": expected 0");
+    overrides.push_back(ParseSetFlag("window.report_newest=true"));
   }
   return overrides;
 }

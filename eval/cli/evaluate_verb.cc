@@ -55,7 +55,7 @@ Verb EvaluateVerb() {
   return {"evaluate",
           "--dataset=DIR --methods=a,b --out=DIR",
           "survey, calibrate, estimate and score by cross-validation",
-          {"dataset", "train", "test", "methods", "folds", "split", "floor", "out", "tum",
+          {"dataset", "train", "test", "methods", "folds", "split", "floor", "out", "tum", "lag",
            "workers", "config", "set"},
           RunEvaluate};
 }

@@ -51,11 +51,12 @@ int RunSmooth(const CommandLine& line) {
 }  // namespace
 
 Verb SmoothVerb() {
-  return {"smooth",
-          "--site=SITE --out=DIR RECORDING...",
-          "estimate recordings on a trained site",
-          {"site", "out", "method", "use_waypoints", "floor", "tum", "workers", "config", "set"},
-          RunSmooth};
+  return {
+      "smooth",
+      "--site=SITE --out=DIR RECORDING...",
+      "estimate recordings on a trained site",
+      {"site", "out", "method", "use_waypoints", "floor", "tum", "lag", "workers", "config", "set"},
+      RunSmooth};
 }
 
 }  // namespace walkgraph
