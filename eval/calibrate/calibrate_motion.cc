@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <utility>
 
+#include "data/angle.h"
 #include "eval/calibrate/leg_comparison.h"
 #include "eval/calibrate/robust_moments.h"
 
@@ -35,7 +37,7 @@ class Report {
   void Set(const std::string& key, double value, std::size_t samples, const char* basis,
            double* setting) {
     *setting = value;
-    values_.push_back({"factors." + key, value, samples, basis});
+    values_.push_back({"noise." + key, value, samples, basis});
   }
   std::vector<CalibratedValue> Take() { return std::move(values_); }
 
@@ -49,13 +51,26 @@ struct LegStatistics {
   std::size_t pairs = 0;
 };
 
+// Mean and spread of angles (rad) that lie about one direction, which may be that of the seam.
+Moments ClippedAngleMoments(const std::vector<double>& angles) {
+  std::complex<double> sum = 0;
+  for (const double angle : angles) sum += std::polar(1.0, angle);
+  const double direction = std::arg(sum);
+  std::vector<double> about;
+  about.reserve(angles.size());
+  for (const double angle : angles) about.push_back(WrapAngle(angle - direction));
+  Moments moments = ClippedMoments(about);
+  moments.mean = WrapAngle(moments.mean + direction);
+  return moments;
+}
+
 LegStatistics Summarise(const std::vector<WalkLegs>& walks, double Leg::*value, bool circular) {
   std::vector<double> means;
   means.reserve(walks.size());
   for (const WalkLegs& legs : walks) means.push_back(WalkMean(legs, value, circular));
   const PairDifferences pairs = DifferencesWithinWalks(walks, value, circular);
-  return {ClippedMoments(means), VarianceOverLag(pairs.difference, pairs.lag_s),
-          pairs.difference.size()};
+  return {circular ? ClippedAngleMoments(means) : ClippedMoments(means),
+          VarianceOverLag(pairs.difference, pairs.lag_s), pairs.difference.size()};
 }
 
 void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings, Report* report) {

@@ -20,7 +20,7 @@ struct CalibrationWalk {
 
 // One calibrated setting: what it was set to and on how much it rests.
 struct CalibratedValue {
-  std::string key;  // as in the configuration file, "factors.step.sigma_along_m"
+  std::string key;  // as in the configuration file, "noise.step.sigma_along_m"
   double value = 0;
   std::size_t samples = 0;
   std::string basis;  // what the samples are: "walks", "pairs of legs", "samples"
