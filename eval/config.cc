@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "data/input_error.h"
 #include "eval/config_keys.h"
@@ -131,6 +132,28 @@ std::string ReadWholeFile(const std::string& path) {
   return text.str();
 }
 
+// The keys as nested YAML with their documentation.
+std::string PrintKeys(std::vector<ConfigKey> keys) {
+  std::stable_sort(keys.begin(), keys.end(), [](const ConfigKey& a, const ConfigKey& b) {
+    return RootRank(a.name) < RootRank(b.name);
+  });
+  std::string text;
+  std::vector<std::string> open;  // groups that the last line stands in
+  for (const ConfigKey& key : keys) {
+    const std::vector<std::string> parts = SplitAtDots(key.name);
+    std::size_t depth = 0;
+    while (depth < open.size() && depth + 1 < parts.size() && open[depth] == parts[depth]) ++depth;
+    for (; depth + 1 < parts.size(); ++depth) {
+      text += std::string(2 * depth, ' ') + parts[depth] + ":\n";
+    }
+    open.assign(parts.begin(), parts.end() - 1);
+    std::string line = std::string(2 * depth, ' ') + parts.back() + ": " + FormatValue(key);
+    line.resize(std::max(line.size() + 2, kCommentColumn), ' ');
+    text += line + "# " + key.documentation + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<ConfigOverride> ReadConfigFile(const std::string& path) {
@@ -181,25 +204,15 @@ std::map<std::string, std::string> ChangedValues(const Settings& base, const Set
 
 std::string PrintConfig(const Settings& settings) {
   Settings copy = settings;
+  return PrintKeys(ConfigKeys(&copy));
+}
+
+std::string PrintChanges(const Settings& base, const Settings& changed) {
+  const std::map<std::string, std::string> changes = ChangedValues(base, changed);
+  Settings copy = changed;
   std::vector<ConfigKey> keys = ConfigKeys(&copy);
-  std::stable_sort(keys.begin(), keys.end(), [](const ConfigKey& a, const ConfigKey& b) {
-    return RootRank(a.name) < RootRank(b.name);
-  });
-  std::string text;
-  std::vector<std::string> open;  // groups that the last line stands in
-  for (const ConfigKey& key : keys) {
-    const std::vector<std::string> parts = SplitAtDots(key.name);
-    std::size_t depth = 0;
-    while (depth < open.size() && depth + 1 < parts.size() && open[depth] == parts[depth]) ++depth;
-    for (; depth + 1 < parts.size(); ++depth) {
-      text += std::string(2 * depth, ' ') + parts[depth] + ":\n";
-    }
-    open.assign(parts.begin(), parts.end() - 1);
-    std::string line = std::string(2 * depth, ' ') + parts.back() + ": " + FormatValue(key);
-    line.resize(std::max(line.size() + 2, kCommentColumn), ' ');
-    text += line + "# " + key.documentation + "\n";
-  }
-  return text;
+  std::erase_if(keys, [&](const ConfigKey& key) { return !changes.contains(key.name); });
+  return PrintKeys(std::move(keys));
 }
 
 }  // namespace walkgraph

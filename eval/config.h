@@ -46,6 +46,9 @@ std::map<std::string, std::string> ChangedValues(const Settings& base, const Set
 // The whole tree as documented YAML.
 std::string PrintConfig(const Settings& settings);
 
+// Only the keys that differ from `base`, as YAML in the same form.
+std::string PrintChanges(const Settings& base, const Settings& changed);
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_EVAL_CONFIG_H_

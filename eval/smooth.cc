@@ -12,7 +12,6 @@
 #include "data/input_error.h"
 #include "eval/evaluate.h"
 #include "eval/files.h"
-#include "eval/fold.h"
 #include "eval/loaded_walk.h"
 #include "eval/parallel.h"
 #include "eval/progress.h"
@@ -103,37 +102,6 @@ int SmoothRecordings(const SmoothOptions& options) {
   std::fputs(FormatSummary(sections, SecondsPerWalk(evaluation)).c_str(), stdout);
   if (options.stopped()) return kExitInterrupted;
   return AnyTrajectory(evaluation) ? kExitOk : kExitNoTrajectory;
-}
-
-int SurveyDataset(const std::string& dataset_path, const std::string& out, int workers,
-                  const std::vector<ConfigOverride>& overrides,
-                  const std::function<bool()>& stopped) {
-  Settings settings;
-  ApplyOverrides(overrides, &settings);
-  const Dataset dataset = OpenDataset(dataset_path);
-  std::vector<LoadedWalk> walks(dataset.walks.size());
-  {
-    Progress progress(static_cast<int>(walks.size()), "walks read", "");
-    ParallelFor(workers, walks.size(), stopped, [&](std::size_t i) {
-      walks[i] = LoadWalk(dataset.walks[i], dataset.building, settings.frontend, true);
-      progress.Done(dataset.walks[i].id);
-    });
-  }
-  if (stopped()) return kExitInterrupted;
-  std::vector<const LoadedWalk*> training;
-  for (const LoadedWalk& walk : walks) {
-    if (!walk.error.empty()) std::fprintf(stderr, "walkgraph: %s\n", walk.error.c_str());
-    if (!walk.truth.waypoints.empty()) training.push_back(&walk);
-  }
-  if (training.empty()) {
-    throw InputError(dataset_path, 0, "no walk has waypoints", "walks with ground truth");
-  }
-  std::fprintf(stderr, "training on %zu walks\n", training.size());
-  const Site site = PrepareFold(dataset.building, training, {}, {}, overrides).site;
-  WriteSiteFile(site, out);
-  std::printf("%s: %zu transmitters, %zu maps, %zu scans\n", out.c_str(), site.transmitters.size(),
-              site.maps.size(), site.scans.size());
-  return kExitOk;
 }
 
 }  // namespace walkgraph

@@ -29,12 +29,6 @@ struct SmoothOptions {
 // anything is written: where the site or every recording is unusable.
 int SmoothRecordings(const SmoothOptions& options);
 
-// Trains a site on every walk of a data set that has waypoints and writes it to `out`, whole or not
-// at all. Throws InputError where no walk has waypoints.
-int SurveyDataset(const std::string& dataset, const std::string& out, int workers,
-                  const std::vector<ConfigOverride>& overrides,
-                  const std::function<bool()>& stopped);
-
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_EVAL_SMOOTH_H_

@@ -1,17 +1,26 @@
+// The verbs that learn from walks with truth.
 #include "common_flags.h"
-#include "eval/smooth.h"
+#include "eval/survey.h"
 #include "verbs.h"
 
 namespace walkgraph {
 namespace {
 
-int RunSurvey(const CommandLine& line) {
+LearnOptions Options(const CommandLine& line) {
   RequireNoArguments(line);
   RequireFlag("dataset", FLAGS_dataset);
   RequireFlag("out", FLAGS_out);
   HandleInterrupt();
-  return SurveyDataset(FLAGS_dataset, FLAGS_out, Workers(), ReadOverrides(line), Interrupted);
+  return {.dataset = FLAGS_dataset,
+          .out = FLAGS_out,
+          .workers = Workers(),
+          .overrides = ReadOverrides(line),
+          .stopped = Interrupted};
 }
+
+int RunSurvey(const CommandLine& line) { return SurveyDataset(Options(line)); }
+
+int RunCalibrate(const CommandLine& line) { return CalibrateDataset(Options(line)); }
 
 }  // namespace
 
@@ -21,6 +30,14 @@ Verb SurveyVerb() {
           "train a radio map from walks with truth",
           {"dataset", "out", "workers", "config", "set"},
           RunSurvey};
+}
+
+Verb CalibrateVerb() {
+  return {"calibrate",
+          "--dataset=DIR --out=FILE",
+          "fit sigmas and random-walk rates to walks with truth",
+          {"dataset", "out", "workers", "config", "set"},
+          RunCalibrate};
 }
 
 }  // namespace walkgraph

@@ -8,6 +8,7 @@ namespace walkgraph {
 // One per file; each reads the gflags that it names in its Verb.
 Verb InspectVerb();
 Verb SurveyVerb();
+Verb CalibrateVerb();
 Verb SmoothVerb();
 Verb EvaluateVerb();
 Verb ReportVerb();

@@ -78,7 +78,7 @@ TEST(BadInput, EmptyAndMissingDataset) {
   const std::string dataset = FreshPath("dataset"), out = FreshPath("out");
   for (const bool exists : {false, true}) {
     if (exists) std::filesystem::create_directories(dataset);
-    for (const std::string verb : {"evaluate", "survey"}) {
+    for (const std::string verb : {"evaluate", "survey", "calibrate"}) {
       std::vector<std::string> words = {verb, "--dataset=" + dataset, "--out=" + out};
       if (verb == "evaluate") words.push_back("--methods=wknn");
       const ProgramResult result = RunWalkgraph(words);

@@ -62,6 +62,17 @@ TEST(Config, AFileSetsWhatItNamesAndNothingElse) {
   EXPECT_EQ(changes.at("noise.step.sigma_along_m"), "0.25");
 }
 
+TEST(Config, PrintedChangesReadBackToTheChangedSettings) {
+  Settings changed;
+  changed.factors.gyro_bias.mode = StateMode::kFixed;
+  changed.factors.map_error.sigma_m = 2.5;
+  const std::string printed = PrintChanges(Settings(), changed);
+  EXPECT_THAT(printed, testing::Not(HasSubstr("sigma_along_m")));
+  Settings read;
+  ApplyOverrides(ReadConfigFile(WriteConfig(printed)), &read);
+  EXPECT_EQ(PrintConfig(read), PrintConfig(changed));
+}
+
 TEST(Config, AMisspeltKeyNamesItsLineAndTheNearestKey) {
   EXPECT_THAT(ErrorOf("noise:\n  step:\n    sigma_alog_m: 0.25\n"),
               AllOf(HasSubstr("test.yaml:3: "), HasSubstr("noise.step.sigma_alog_m"),

@@ -1,0 +1,82 @@
+#include "eval/survey.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+
+#include "data/dataset.h"
+#include "data/input_error.h"
+#include "eval/evaluate.h"
+#include "eval/files.h"
+#include "eval/fold.h"
+#include "eval/loaded_walk.h"
+#include "eval/parallel.h"
+#include "eval/progress.h"
+#include "frontends/radio_map/site_file.h"
+
+namespace walkgraph {
+namespace {
+
+// Reads all walks; empty where the run was stopped.
+std::vector<LoadedWalk> LoadWalks(const LearnOptions& options, const Dataset& dataset) {
+  Settings settings;
+  ApplyOverrides(options.overrides, &settings);
+  std::vector<LoadedWalk> walks(dataset.walks.size());
+  Progress progress(static_cast<int>(walks.size()), "walks read", "");
+  ParallelFor(options.workers, walks.size(), options.stopped, [&](std::size_t i) {
+    walks[i] = LoadWalk(dataset.walks[i], dataset.building, settings.frontend, true);
+    progress.Done(dataset.walks[i].id);
+  });
+  if (options.stopped()) walks.clear();
+  return walks;
+}
+
+std::vector<const LoadedWalk*> WalksWithTruth(const LearnOptions& options,
+                                              const std::vector<LoadedWalk>& walks) {
+  std::vector<const LoadedWalk*> with_truth;
+  for (const LoadedWalk& walk : walks) {
+    if (!walk.error.empty()) std::fprintf(stderr, "walkgraph: %s\n", walk.error.c_str());
+    if (!walk.truth.waypoints.empty()) with_truth.push_back(&walk);
+  }
+  if (with_truth.empty()) {
+    throw InputError(options.dataset, 0, "no walk has waypoints", "walks with ground truth");
+  }
+  return with_truth;
+}
+
+}  // namespace
+
+int SurveyDataset(const LearnOptions& options) {
+  const Dataset dataset = OpenDataset(options.dataset);
+  const std::vector<LoadedWalk> walks = LoadWalks(options, dataset);
+  if (options.stopped()) return kExitInterrupted;
+  const std::vector<const LoadedWalk*> training = WalksWithTruth(options, walks);
+  std::fprintf(stderr, "training on %zu walks\n", training.size());
+  const Site site = PrepareFold(dataset.building, training, {}, {}, options.overrides).site;
+  WriteSiteFile(site, options.out);
+  std::printf("%s: %zu transmitters, %zu maps, %zu scans\n", options.out.c_str(),
+              site.transmitters.size(), site.maps.size(), site.scans.size());
+  return kExitOk;
+}
+
+int CalibrateDataset(const LearnOptions& options) {
+  const Dataset dataset = OpenDataset(options.dataset);
+  const std::vector<LoadedWalk> walks = LoadWalks(options, dataset);
+  if (options.stopped()) return kExitInterrupted;
+  const std::vector<const LoadedWalk*> training = WalksWithTruth(options, walks);
+  const Fold fold = PrepareFold(dataset.building, training, {}, {}, options.overrides);
+  std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n";
+  for (const RadioMap& map : fold.site.maps) {
+    std::array<char, 160> line;
+    std::snprintf(line.data(), line.size(),
+                  "# In the site, floor %d %s: n_eff %.3g, map error %.3g m\n", map.floor,
+                  RadioName(map.radio), map.n_eff, map.map_error_sigma_m);
+    text += line.data();
+  }
+  text += PrintChanges(Settings(), fold.settings);
+  WriteFileWhole(options.out, text);
+  std::fputs(text.c_str(), stdout);
+  return kExitOk;
+}
+
+}  // namespace walkgraph
