@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "frontends/radio_map/map_builder.h"
@@ -206,6 +208,29 @@ TEST(TrainSiteTest, FloorsAndRadiosHaveMapsOfTheirOwn) {
   EXPECT_NE(site.FindMap(3, Radio::kWifi), nullptr);
   EXPECT_EQ(site.FindMap(3, Radio::kBeacon), nullptr);
   EXPECT_EQ(site.transmitters.size(), 8U);
+}
+
+// Two walks along one line whose readings scatter twice as much as the prior's noise.
+TEST(LeftOutSigmaScaleTest, GrowsWithTheScatterOfTheReadings) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  FieldPrior prior;
+  prior.amplitude_db = 0.01;
+  const auto scale_of = [&](double noise_db) {
+    std::vector<FieldSample> samples;
+    for (std::uint32_t i = 0; i < 400; ++i) {
+      samples.push_back({{1.0 * (i / 2), 0}, -70 + noise_db * normal(random), i % 2});
+    }
+    return LeftOutSigmaScale({{0, samples}}, prior);
+  };
+  EXPECT_NEAR(scale_of(prior.noise_db), 1.0, 0.15);
+  EXPECT_NEAR(scale_of(2 * prior.noise_db), 2.0, 0.3);
+}
+
+TEST(LeftOutSigmaScaleTest, IsOneWhereNoWalksShareATransmitter) {
+  std::vector<FieldSample> alone(20, {{1, 1}, -40, 0}), other(20, {{1, 1}, -90, 1});
+  EXPECT_EQ(LeftOutSigmaScale({{0, alone}, {1, other}}, {}), 1.0);
+  EXPECT_EQ(LeftOutSigmaScale({}, {}), 1.0);
 }
 
 TEST(CoveringGridTest, TheBoxAndThePathLieInsideTheSpline) {

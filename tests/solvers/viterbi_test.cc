@@ -94,6 +94,35 @@ TEST(ViterbiTest, FindsAWalkOfUnknownDirection) {
   }
 }
 
+// A gyroscope that drifts takes the offset from the last bins of the circle to the first.
+TEST(ViterbiTest, OffsetMayDriftAcrossTheSeam) {
+  SyntheticSite world(12);
+  Evidence evidence = world.Walk(kWalk, 0.02, 2.0);
+  const Stream<double> heading = evidence.absolute_heading_rad;
+  KeepGyroscopeOnly(0.0, &evidence);
+  for (std::size_t i = 0; i < evidence.gyro_yaw_rad.size(); ++i) {
+    const double t = SecondsBetween(evidence.begin_ns, evidence.gyro_yaw_rad.time_ns[i]);
+    evidence.gyro_yaw_rad.value[i] += 0.6 - 0.012 * t;
+  }
+  FactorSettings factors;
+  factors.heading_offset.walk_rad_per_sqrt_s = 0.05;
+  const DiscreteSettings settings;
+  const DeadReckonedPath walk = DeadReckon(world.site, evidence, factors);
+  const std::vector<DiscretePath> paths =
+      SmoothOnLattice(world.site, evidence, walk, factors, settings, 1);
+  ASSERT_FALSE(paths.empty());
+  const std::vector<double>& offset = paths[0].heading_offset_rad.value;
+  for (std::size_t k = 1; k < offset.size(); ++k) {
+    EXPECT_LE(std::abs(offset[k] - offset[k - 1]), 1.01 * settings.heading_bin_rad);
+  }
+  EXPECT_NEAR(offset.back() - offset.front(), 0.012 * 98, 0.4);
+  const EstimateResult result = Viterbi(factors, settings).Estimate(world.site, evidence);
+  for (const PoseEstimate& pose : result.trajectory.poses) {
+    const double off = WrapAngle(pose.heading_rad - Interpolate(heading, pose.time_ns));
+    EXPECT_LT(std::abs(off), 0.6);
+  }
+}
+
 // Turning the gyroscope's zero by whole bins renames the bins and changes nothing else.
 TEST(ViterbiTest, ZeroOfTheGyroscopeDoesNotMatter) {
   SyntheticSite world(4);
