@@ -13,6 +13,9 @@ namespace walkgraph {
 namespace {
 
 constexpr std::size_t kMinSamples = 10;
+// A random walk that walks of a minute cannot tell from none: 1 degree, and 1 %, in half a minute.
+constexpr double kSmallestHeadingWalk = 0.003;  // rad/sqrt(s)
+constexpr double kSmallestScaleWalk = 0.002;    // 1/sqrt(s)
 
 // Dead reckoning with all slow states at zero, so that what is learnt is absolute.
 DeadReckonedPath PlainPath(const Building& building, const Evidence& evidence) {
@@ -83,7 +86,8 @@ void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings
                 means.samples, "walks", &settings->step_scale.prior_sigma);
   }
   if (scale.pairs >= kMinSamples) {
-    report->Set("step_scale.walk_per_sqrt_s", std::sqrt(scale.variance_over_lag.slope), scale.pairs,
+    report->Set("step_scale.walk_per_sqrt_s",
+                std::max(kSmallestScaleWalk, std::sqrt(scale.variance_over_lag.slope)), scale.pairs,
                 "pairs of legs", &settings->step_scale.walk_per_sqrt_s);
   }
   const LegDeviations along = DeviationsFromWalk(walks, &Leg::log_scale, false);
@@ -102,7 +106,8 @@ void CalibrateOffset(const LegStatistics& offset, FactorSettings* settings, Repo
                 &settings->heading_offset.prior_sigma_rad);
   }
   if (offset.pairs < kMinSamples) return;
-  report->Set("heading_offset.walk_rad_per_sqrt_s", std::sqrt(offset.variance_over_lag.slope),
+  report->Set("heading_offset.walk_rad_per_sqrt_s",
+              std::max(kSmallestHeadingWalk, std::sqrt(offset.variance_over_lag.slope)),
               offset.pairs, "pairs of legs", &settings->heading_offset.walk_rad_per_sqrt_s);
 }
 
