@@ -89,7 +89,7 @@ bool HearingFactor::Evaluate(const double* const* blocks, double* residual,
     nats -= field.logit_hear;
     gradient -= field.d_logit_hear;
   }
-  const CostRow row(nats, sweep_.weight);
+  const CostRow row(nats, weight());
   residual[0] = row.value;
   if (jacobians != nullptr) FillPositionRow(jacobians, 0, row.slope * gradient);
   return true;

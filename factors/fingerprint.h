@@ -55,9 +55,9 @@ class FingerprintFactor : public ceres::CostFunction {
 // transmitter j and H those heard,
 //   c(u) = -sum_{j in H} log p_j - sum_{j not in H} log(1 - p_j) = S(u) - sum_{j in H} logit
 //   p_j(u),
-// S the map's silence; r = sqrt(w) sqrt(2 c + kRowOffset). c >= 0 although S is a spline of its
-// own: softplus is convex, so that the spline of softplus(logit) lies above softplus of the spline.
-// Blocks: position, map error.
+// S the map's silence; r = sqrt(h w) sqrt(2 c + kRowOffset). c >= 0 although S is a spline of its
+// own (h is the map's hear_weight): softplus is convex, so that the spline of softplus(logit) lies
+// above softplus of the spline. Blocks: position, map error.
 class HearingFactor : public ceres::SizedCostFunction<1, 2, 2> {
  public:
   static constexpr std::string_view kName = "hearing";
@@ -67,8 +67,8 @@ class HearingFactor : public ceres::SizedCostFunction<1, 2, 2> {
 
   bool Evaluate(const double* const* blocks, double* residual, double** jacobians) const override;
 
-  double weight() const { return sweep_.weight; }
-  double CostConstant() const { return 0.5 * sweep_.weight * kRowOffset; }
+  double weight() const { return sweep_.weight * map_->hear_weight; }
+  double CostConstant() const { return 0.5 * weight() * kRowOffset; }
 
  private:
   const RadioMap* map_;

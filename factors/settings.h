@@ -91,6 +91,9 @@ struct MapErrorSettings {
 struct RssiOffsetSettings {
   StateMode mode = StateMode::kActive;
   double prior_sigma_db = 3.0;
+
+  // What a method without the state integrates out.
+  double SpreadDb() const { return mode == StateMode::kActive ? prior_sigma_db : 0.0; }
 };
 
 struct PriorSettings {

@@ -26,6 +26,7 @@ constexpr int kShiftCount = (2 * kShiftHalfCount + 1) * (2 * kShiftHalfCount + 1
 constexpr double kLostProbability = 0.02;
 
 constexpr std::array kNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0};
+constexpr std::array kHearWeights{0.2, 0.4, 0.7, 1.0};
 constexpr std::array kMapErrors{0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
 
 Eigen::Vector2d Shift(int index) {
@@ -34,11 +35,12 @@ Eigen::Vector2d Shift(int index) {
          Eigen::Vector2d(index % side - kShiftHalfCount, index / side - kShiftHalfCount);
 }
 
-// -log p of a scan, moved by every shift.
+// -log p of a scan, moved by every shift: of its signal strengths, and of what it heard and missed.
 struct ScanCost {
   TimeNs time_ns = 0;
   std::size_t readings = 0;
-  std::vector<double> nats;
+  std::vector<double> signal_nats;
+  std::vector<double> hearing_nats;
 };
 
 Eigen::Vector2d MeanPosition(const SurveyScan& scan) {
@@ -47,10 +49,18 @@ Eigen::Vector2d MeanPosition(const SurveyScan& scan) {
   return sum / static_cast<double>(scan.readings.size());
 }
 
-ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan) {
+// What the best common offset of a scan's readings takes off its cost: the phone held against the
+// body hears everything weaker. Normal prior, integrated out.
+double OffsetGain(double slope, double information, const TrainerSettings& settings) {
+  const double variance = settings.rssi_offset_sigma_db * settings.rssi_offset_sigma_db;
+  const double spread = 1.0 + variance * information;
+  return 0.5 * variance * slope * slope / spread - 0.5 * std::log(spread);
+}
+
+ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
+                        const TrainerSettings& settings) {
   ScanCost cost;
   cost.time_ns = scan.printed_ns;
-  cost.nats.assign(kShiftCount, 0.0);
   // The spread of a scan's readings along the walk matters less than the grid of shifts.
   const Eigen::Vector2d center = MeanPosition(scan);
   std::vector<std::pair<int, double>> known;
@@ -61,14 +71,20 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan) {
   cost.readings = known.size();
   for (int i = 0; i < kShiftCount; ++i) {
     const FieldBasis basis = EvaluateBasis(map.grid, center + Shift(i));
-    double nats = map.Silence(basis, nullptr);
+    double hearing = map.Silence(basis, nullptr);
+    double signal = 0, slope = 0, information = 0;
     for (const auto& [field, rssi_dbm] : known) {
       const FieldValue value = map.EvaluateValue(field, basis);
-      const double z = (rssi_dbm - value.mean_dbm) * std::exp(-value.log_sigma);
+      const double inverse = std::exp(-value.log_sigma);
+      const double z = (rssi_dbm - value.mean_dbm) * inverse;
+      signal += 0.5 * z * z + value.log_sigma;
+      slope += z * inverse;
+      information += inverse * inverse;
       // -log p_hear + log(1 - p_hear) = -logit: the silence field counts everyone as missed.
-      nats += 0.5 * z * z + value.log_sigma - value.logit_hear;
+      hearing -= value.logit_hear;
     }
-    cost.nats[static_cast<std::size_t>(i)] = nats;
+    cost.signal_nats.push_back(signal - OffsetGain(slope, information, settings));
+    cost.hearing_nats.push_back(hearing);
   }
   return cost;
 }
@@ -76,11 +92,12 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan) {
 // One held-out piece of a walk: the costs of its scans.
 using Piece = std::vector<ScanCost>;
 
-void AppendPieces(const RadioMap& map, const ScanList& walk, std::vector<Piece>* pieces) {
+void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettings& settings,
+                  std::vector<Piece>* pieces) {
   TimeNs piece_begin = 0;
   bool open = false;
   for (const SurveyScan* scan : walk) {
-    ScanCost cost = CostOverShifts(map, *scan);
+    ScanCost cost = CostOverShifts(map, *scan, settings);
     if (cost.readings == 0) continue;
     if (!open || SecondsBetween(piece_begin, cost.time_ns) > kPieceSeconds) {
       pieces->emplace_back();
@@ -111,19 +128,20 @@ double LogScoreAtTruth(const std::vector<double>& nats, double map_error_sigma_m
   return std::log((1.0 - kLostProbability) * density + kLostProbability / (kShiftCount * cell));
 }
 
-double PieceScore(const Piece& piece, double n_eff, double map_error_sigma_m) {
+double PieceScore(const Piece& piece, const MapCalibration& trial) {
   std::vector<double> sum(kShiftCount, 0.0);
   std::vector<double> alone(kShiftCount);
   double alone_score = 0;
   for (const ScanCost& scan : piece) {
-    const double weight = std::min(1.0, n_eff / static_cast<double>(scan.readings));
+    const double weight = std::min(1.0, trial.n_eff / static_cast<double>(scan.readings));
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      alone[i] = weight * scan.nats[i];
+      alone[i] = weight * (scan.signal_nats[i] + trial.hear_weight * scan.hearing_nats[i]);
       sum[i] += alone[i];
     }
-    alone_score += LogScoreAtTruth(alone, map_error_sigma_m);
+    alone_score += LogScoreAtTruth(alone, trial.map_error_sigma_m);
   }
-  return LogScoreAtTruth(sum, map_error_sigma_m) + alone_score / static_cast<double>(piece.size());
+  return LogScoreAtTruth(sum, trial.map_error_sigma_m) +
+         alone_score / static_cast<double>(piece.size());
 }
 
 struct Scored {
@@ -134,10 +152,13 @@ struct Scored {
 Scored BestCalibration(const std::vector<Piece>& pieces) {
   Scored best;
   for (const double n_eff : kNEff) {
-    for (const double sigma_m : kMapErrors) {
-      double score = 0;
-      for (const Piece& piece : pieces) score += PieceScore(piece, n_eff, sigma_m);
-      if (score > best.score) best = {{n_eff, sigma_m}, score};
+    for (const double hear_weight : kHearWeights) {
+      for (const double sigma_m : kMapErrors) {
+        const MapCalibration trial{n_eff, hear_weight, sigma_m};
+        double score = 0;
+        for (const Piece& piece : pieces) score += PieceScore(piece, trial);
+        if (score > best.score) best = {trial, score};
+      }
     }
   }
   return best;
@@ -173,7 +194,7 @@ class HeldOut {
     const RadioMap map = BuildMap(floor_, radio_, grid_, training, model, settings_, keep_every_);
     const std::size_t count = std::min(kWalksPerFold, held_out.size());
     for (std::size_t i = 0; i < count; ++i) {
-      AppendPieces(map, *held_out[i * held_out.size() / count], pieces);
+      AppendPieces(map, *held_out[i * held_out.size() / count], settings_, pieces);
     }
   }
 

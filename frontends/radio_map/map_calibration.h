@@ -15,6 +15,7 @@ namespace walkgraph {
 
 struct MapCalibration {
   double n_eff = 3;              // independent readings per scan
+  double hear_weight = 0.5;      // see RadioMap
   double map_error_sigma_m = 2;  // of the error that the scans of some 20 s share, per axis
 };
 
@@ -24,8 +25,8 @@ struct MapCalibration {
 FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                             const TrainerSettings& settings);
 
-// n_eff and map error with the best total score over three folds of walks. The defaults where there
-// are fewer than six walks.
+// n_eff, hear_weight and map error with the best total score over three folds of walks. The
+// defaults where there are fewer than six walks.
 MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                             const FieldModel& model, const TrainerSettings& settings);
 

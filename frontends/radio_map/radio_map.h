@@ -60,6 +60,9 @@ class RadioMap {
   // Calibrated on survey walks held out in turn (see trainer): how many independent readings a scan
   // is worth, and the sigma of the slow position error that all scans at a place share.
   double n_eff = 0;
+  // Power that the probability of what was heard and missed is raised to: misses of one sweep go
+  // together (a channel not scanned misses all of its transmitters), more so than signal strengths.
+  double hear_weight = 1;
   double map_error_sigma_m = 0;
   std::vector<TransmitterField> fields;  // by transmitter
   // Sum over all transmitters of -log(1 - p_hear): a sweep that hears nothing costs this much.

@@ -168,6 +168,7 @@ void ArchiveMap(A& a, M& map) {
   a.Scalar(map.grid.rows);
   a.Scalar(map.sigma_min_db);
   a.Scalar(map.n_eff);
+  a.Scalar(map.hear_weight);
   a.Scalar(map.map_error_sigma_m);
   Each(a, map.fields, [](A& b, auto& field) {
     b.Scalar(field.transmitter);

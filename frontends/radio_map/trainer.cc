@@ -86,6 +86,7 @@ void TrainMaps(const TrainerSettings& settings, Site* site) {
       RadioMap map = BuildMap(floor, radio, grid, scans, model, settings);
       const MapCalibration calibration = CalibrateMap(floor, radio, grid, scans, model, settings);
       map.n_eff = calibration.n_eff;
+      map.hear_weight = calibration.hear_weight;
       map.map_error_sigma_m = calibration.map_error_sigma_m;
       site->maps.push_back(std::move(map));
     }

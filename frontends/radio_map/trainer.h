@@ -12,10 +12,11 @@
 namespace walkgraph {
 
 struct TrainerSettings {
-  double grid_spacing_m = 4.0;     // of the control points
-  double sample_spacing_m = 3.0;   // readings of one walk closer than this become one sample
-  double margin_m = 15.0;          // of a transmitter's field around the places that heard it
-  double hear_prior_sweeps = 1.0;  // weight of the floor-wide rate in the probability of hearing
+  double grid_spacing_m = 4.0;        // of the control points
+  double sample_spacing_m = 3.0;      // readings of one walk closer than this become one sample
+  double margin_m = 15.0;             // of a transmitter's field around the places that heard it
+  double rssi_offset_sigma_db = 3.0;  // common to the readings of a scan, in calibration
+  double hear_prior_sweeps = 1.0;     // weight of the floor-wide rate in the probability of hearing
 };
 
 template <typename Visitor>
@@ -24,6 +25,8 @@ void Visit(Visitor& v, TrainerSettings& s) {
   v.Field("sample_spacing_m", s.sample_spacing_m,
           "readings of one walk closer than this become one sample, m");
   v.Field("margin_m", s.margin_m, "field around the places that heard a transmitter, m");
+  v.Field("rssi_offset_sigma_db", s.rssi_offset_sigma_db,
+          "offset common to the readings of a scan, in calibration, dB");
   v.Field("hear_prior_sweeps", s.hear_prior_sweeps,
           "weight of the floor-wide rate in the probability of hearing, sweeps");
 }

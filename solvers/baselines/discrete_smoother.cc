@@ -46,11 +46,11 @@ class Emissions {
         nats_(times_.size(), std::vector<float>(lattice.size(), 0.0F)) {}
 
   void AddSweeps(const Site& site, const RadioMap& map, const Evidence& evidence,
-                 const FingerprintSettings& settings) {
+                 const FactorSettings& settings) {
     const std::vector<MapSweep> sweeps =
-        CollectMapSweeps(site, map, evidence, settings, kPartSeconds);
+        CollectMapSweeps(site, map, evidence, settings.fingerprint, kPartSeconds);
     if (sweeps.empty()) return;
-    const LikelihoodGrid grid(map, lattice_.centers_m());
+    const LikelihoodGrid grid(map, lattice_.centers_m(), settings.rssi_offset.SpreadDb());
     const std::vector<std::vector<float>> costs = grid.Evaluate(sweeps);
     for (std::size_t s = 0; s < sweeps.size(); ++s) AddMoved(sweeps[s].mean_heard_ns, costs[s]);
     any_ = true;
@@ -391,7 +391,7 @@ std::vector<DiscretePath> SmoothOnLattice(const Site& site, const Evidence& evid
   for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
     const RadioMap* map = site.FindMap(floor, radio);
     if (map == nullptr || !radio_on[static_cast<int>(radio)]) continue;
-    emissions.AddSweeps(site, *map, evidence, factors.fingerprint);
+    emissions.AddSweeps(site, *map, evidence, factors);
   }
   for (const PositionAnchor& anchor : evidence.anchors) {
     if (anchor.floor == floor) emissions.AddAnchor(anchor);

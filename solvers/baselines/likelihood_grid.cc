@@ -8,19 +8,47 @@
 namespace walkgraph {
 namespace {
 
-struct NegativeLog {
-  float mean_dbm = 0;
-  float inverse_sigma = 0;
-  float constant_nats = 0;  // log(sigma / sigma_min) - logit
+// What a sweep's readings sum up to at a position: -log p without offset, and its first and
+// (negative) second derivative by a common offset.
+struct Terms {
+  float nats = 0;
+  float slope = 0;
+  float information = 0;
 
-  float At(float rssi_dbm) const {
-    const float whitened = (rssi_dbm - mean_dbm) * inverse_sigma;
-    return 0.5F * whitened * whitened + constant_nats;
+  Terms& operator+=(const Terms& other) {
+    nats += other.nats;
+    slope += other.slope;
+    information += other.information;
+    return *this;
+  }
+  friend Terms operator-(const Terms& a, const Terms& b) {
+    return {a.nats - b.nats, a.slope - b.slope, a.information - b.information};
   }
 };
 
-NegativeLog MakeNegativeLog(float mean_dbm, float log_sigma, float logit, float log_sigma_min) {
-  return {mean_dbm, std::exp(-log_sigma), log_sigma - log_sigma_min - logit};
+struct NegativeLog {
+  float mean_dbm = 0;
+  float inverse_sigma = 0;
+  float constant_nats = 0;  // log(sigma / sigma_min) - h logit
+
+  Terms At(float rssi_dbm) const {
+    const float whitened = (rssi_dbm - mean_dbm) * inverse_sigma;
+    return {0.5F * whitened * whitened + constant_nats, whitened * inverse_sigma,
+            inverse_sigma * inverse_sigma};
+  }
+};
+
+NegativeLog MakeNegativeLog(float mean_dbm, float log_sigma, float weighted_logit,
+                            float log_sigma_min) {
+  return {mean_dbm, std::exp(-log_sigma), log_sigma - log_sigma_min - weighted_logit};
+}
+
+// -log p with the offset integrated out.
+float IntegrateOffset(const Terms& terms, float variance_db2) {
+  if (variance_db2 <= 0) return terms.nats;
+  const float spread = 1.0F + variance_db2 * terms.information;
+  return terms.nats - 0.5F * variance_db2 * terms.slope * terms.slope / spread +
+         0.5F * std::log(spread);
 }
 
 // A transmitter's control values with a margin of three background points, so that every window of
@@ -70,8 +98,11 @@ struct LikelihoodGrid::Hearing {
   float rssi_dbm = 0;
 };
 
-LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m)
-    : map_(map), original_index_(positions_m.size()) {
+LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
+                               double rssi_offset_sigma_db)
+    : map_(map),
+      offset_variance_db2_(rssi_offset_sigma_db * rssi_offset_sigma_db),
+      original_index_(positions_m.size()) {
   std::vector<FieldBasis> bases;
   bases.reserve(positions_m.size());
   for (const Eigen::Vector2d& position : positions_m) {
@@ -114,14 +145,15 @@ LikelihoodGrid::FieldSamples LikelihoodGrid::Sample(const RadioMap::TransmitterF
   const PaddedControls mean(field, field.mean_dbm, field.background_mean_dbm);
   const PaddedControls log_sigma(field, field.log_sigma, field.background_log_sigma);
   const PaddedControls logit(field, field.logit_hear, field.background_logit_hear);
+  const auto hear_weight = static_cast<float>(map_.hear_weight);
   FieldSamples samples;
   samples.background = MakeNegativeLog(field.background_mean_dbm, field.background_log_sigma,
-                                       field.background_logit_hear, log_sigma_min);
+                                       hear_weight * field.background_logit_hear, log_sigma_min);
   for (const Segment& segment : segments) {
     for (std::size_t i = segment.begin; i < segment.end; ++i) {
-      samples.at.push_back(MakeNegativeLog(mean.At(cell_[i], weights_[i]),
-                                           log_sigma.At(cell_[i], weights_[i]),
-                                           logit.At(cell_[i], weights_[i]), log_sigma_min));
+      samples.at.push_back(
+          MakeNegativeLog(mean.At(cell_[i], weights_[i]), log_sigma.At(cell_[i], weights_[i]),
+                          hear_weight * logit.At(cell_[i], weights_[i]), log_sigma_min));
     }
   }
   return samples;
@@ -139,19 +171,19 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
 
   // In sorted order: what a position differs from all transmitters at their background, which is
   // one constant per sweep.
-  std::vector<std::vector<float>> sorted(sweeps.size(), std::vector<float>(cell_.size(), 0.0F));
-  std::vector<double> background(sweeps.size(), 0.0);
+  std::vector<std::vector<Terms>> sorted(sweeps.size(), std::vector<Terms>(cell_.size()));
+  std::vector<Terms> background(sweeps.size());
   for (auto hearing = hearings.begin(); hearing != hearings.end();) {
     const RadioMap::TransmitterField& field = map_.fields[static_cast<std::size_t>(hearing->field)];
     const std::vector<Segment> segments = TouchedSegments(field);
     const FieldSamples samples = Sample(field, segments);
     for (const int current = hearing->field; hearing != hearings.end() && hearing->field == current;
          ++hearing) {
-      const float constant = samples.background.At(hearing->rssi_dbm);
+      const Terms constant = samples.background.At(hearing->rssi_dbm);
       background[hearing->sweep] += constant;
       const NegativeLog* at = samples.at.data();
       for (const Segment& segment : segments) {
-        float* sum = sorted[hearing->sweep].data();
+        Terms* sum = sorted[hearing->sweep].data();
         for (std::size_t i = segment.begin; i < segment.end; ++i) {
           sum[i] += at++->At(hearing->rssi_dbm) - constant;
         }
@@ -162,10 +194,12 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
   std::vector<std::vector<float>> nats(sweeps.size(), std::vector<float>(cell_.size()));
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     const auto weight = static_cast<float>(sweeps[s].weight);
-    const auto share = static_cast<float>(sweeps[s].silence_share);
-    const auto constant = static_cast<float>(background[s]);
+    const auto share = static_cast<float>(map_.hear_weight * sweeps[s].silence_share);
+    const auto variance = static_cast<float>(offset_variance_db2_);
     for (std::size_t i = 0; i < cell_.size(); ++i) {
-      nats[s][original_index_[i]] = weight * (sorted[s][i] + constant + share * silence_nats_[i]);
+      sorted[s][i] += background[s];
+      nats[s][original_index_[i]] =
+          weight * (IntegrateOffset(sorted[s][i], variance) + share * silence_nats_[i]);
     }
   }
   return nats;

@@ -13,15 +13,19 @@
 namespace walkgraph {
 
 // -log p of sweeps over many positions at once. For a sweep of readings z_i and a position x
-//   -log p = weight * (silence_share * S(x)
+//   -log p = weight * (h silence_share * S(x)
 //            + sum_i [((z_i - mean_i(x)) / sigma_i(x))^2 / 2 + log(sigma_i(x) / sigma_min)
-//                     - logit p_hear_i(x)])
+//                     - h logit p_hear_i(x)])
 // where S sums -log(1 - p_hear) over all transmitters, so that -logit turns the silence of a heard
-// one into its -log p_hear: the full likelihood that the fingerprint factor has, up to a constant.
+// one into its -log p_hear, and h is the map's hear_weight: the full likelihood that the factors of
+// the graph have, up to a constant. The graph's RSSI offset is a state; here an offset common to
+// the sweep's readings, with a normal prior, is integrated out.
 class LikelihoodGrid {
  public:
   // Keeps a reference to `map`, which must outlive it; `positions_m` may lie anywhere.
-  LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m);
+  // `rssi_offset_sigma_db` 0 is for readings without an offset.
+  LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
+                 double rssi_offset_sigma_db);
 
   // For each sweep -log p (nats) at each position, in the order of the constructor. Each field is
   // evaluated once, however many sweeps heard it, and only where it differs from its background.
@@ -39,6 +43,7 @@ class LikelihoodGrid {
                       const std::vector<Segment>& segments) const;
 
   const RadioMap& map_;
+  double offset_variance_db2_;
   // Positions sorted by (row, column) of their first control point, so that a rectangle of the grid
   // is a few contiguous runs.
   std::vector<std::size_t> original_index_;

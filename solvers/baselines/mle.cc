@@ -37,13 +37,17 @@ std::size_t NearestEpoch(const std::vector<Epoch>& epochs, TimeNs time_ns) {
 
 // Epochs are the Wi-Fi scans, which beacon reports join; without any Wi-Fi, the beacon reports.
 std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evidence,
-                              const FingerprintSettings& settings, const ReferencePoints& points) {
+                              const FactorSettings& settings, const ReferencePoints& points) {
   std::vector<Epoch> epochs;
   for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
     const RadioMap* map = site.FindMap(floor, radio);
-    if (map == nullptr || !(radio == Radio::kWifi ? settings.wifi : settings.beacon)) continue;
-    const std::vector<MapSweep> sweeps = CollectMapSweeps(site, *map, evidence, settings);
-    const auto nats = LikelihoodGrid(*map, points.positions_m()).Evaluate(sweeps);
+    if (map == nullptr ||
+        !(radio == Radio::kWifi ? settings.fingerprint.wifi : settings.fingerprint.beacon))
+      continue;
+    const std::vector<MapSweep> sweeps =
+        CollectMapSweeps(site, *map, evidence, settings.fingerprint);
+    const LikelihoodGrid grid(*map, points.positions_m(), settings.rssi_offset.SpreadDb());
+    const auto nats = grid.Evaluate(sweeps);
     const bool join = !epochs.empty();
     for (std::size_t s = 0; s < sweeps.size(); ++s) {
       if (!join) epochs.push_back({sweeps[s].mean_heard_ns, {}});
@@ -71,7 +75,7 @@ EstimateResult MleEstimator::Estimate(const Site& site, const Evidence& evidence
   if (points.empty()) {
     return UnlocatedResult(site, evidence, path, "no survey of floor " + std::to_string(floor));
   }
-  const std::vector<Epoch> epochs = MakeEpochs(site, floor, evidence, factors_.fingerprint, points);
+  const std::vector<Epoch> epochs = MakeEpochs(site, floor, evidence, factors_, points);
   if (epochs.empty()) {
     return UnlocatedResult(site, evidence, path, "no reading that the radio map knows");
   }

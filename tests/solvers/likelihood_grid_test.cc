@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -63,11 +64,36 @@ TEST(LikelihoodGrid, IsTheFullNegativeLogLikelihood) {
   MapSweep sweep;
   sweep.readings.push_back({0, -66.0F, 0});
   const std::vector<Eigen::Vector2d> positions{{1.3, 1.6}, {400, -3}};
-  const auto nats = LikelihoodGrid(map, positions).Evaluate(std::vector{sweep});
+  const auto nats = LikelihoodGrid(map, positions, 0.0).Evaluate(std::vector{sweep});
   const double expected =
       0.5 * 1.5 * 1.5 + std::log(4.0 / 2.0) - std::log(p_heard) - std::log(1 - p_silent);
   EXPECT_NEAR(nats[0][0], expected, 1e-5);
   EXPECT_NEAR(nats[0][1], expected, 1e-5);
+}
+
+TEST(LikelihoodGrid, IntegratesACommonOffsetOut) {
+  RadioMap map;
+  map.grid = {{0, 0}, 1.0, 4, 4};
+  map.sigma_min_db = 1;
+  map.hear_weight = 0;
+  map.fields.push_back({0, 0, 0, 0, 0, -60, std::log(4.0F), 0, {}, {}, {}});
+  map.fields.push_back({1, 0, 0, 0, 0, -70, std::log(3.0F), 0, {}, {}, {}});
+  map.silence_nats.assign(16, 5.0F);
+  MapSweep sweep;
+  sweep.readings.push_back({0, -68.0F, 0});
+  sweep.readings.push_back({1, -75.0F, 0});
+  const std::vector<Eigen::Vector2d> positions{{1.5, 1.5}};
+  const double sigma_db = 3.0;
+  const auto nats = LikelihoodGrid(map, positions, sigma_db).Evaluate(std::vector{sweep});
+  // The same integral by the midpoint rule.
+  double integral = 0;
+  const double step = 0.01;
+  for (double offset = -40; offset < 40; offset += step) {
+    const double z0 = (-8 - offset) / 4, z1 = (-5 - offset) / 3, z = offset / sigma_db;
+    integral += std::exp(-0.5 * (z0 * z0 + z1 * z1 + z * z)) / (4.0 * 3.0 * sigma_db) * step;
+  }
+  const double expected = -std::log(integral / std::sqrt(2 * std::numbers::pi));
+  EXPECT_NEAR(nats[0][0], expected, 1e-4);
 }
 
 TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
@@ -82,7 +108,7 @@ TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
     position.x() = coordinate(random);
     position.y() = coordinate(random);
   }
-  const auto nats = LikelihoodGrid(map, positions).Evaluate(sweeps);
+  const auto nats = LikelihoodGrid(map, positions, 0.0).Evaluate(sweeps);
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const FieldBasis basis = EvaluateBasis(map.grid, positions[i]);
