@@ -25,6 +25,9 @@ constexpr int kShiftCount = (2 * kShiftHalfCount + 1) * (2 * kShiftHalfCount + 1
 // Chance that a piece lies where nothing is known: keeps one lost walk from deciding the score.
 constexpr double kLostProbability = 0.02;
 
+// A coarse grid compares field models and hearing weights, the fine one sets the numbers.
+constexpr std::array kCoarseNEff{1.0, 3.0, 9.0};
+constexpr std::array kCoarseMapErrors{1.4, 2.8};
 constexpr std::array kNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0};
 constexpr std::array kHearWeights{0.2, 0.4, 0.7, 1.0};
 constexpr std::array kMapErrors{0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
@@ -108,27 +111,39 @@ void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettin
   }
 }
 
-// log of the density (1/m^2) that the posterior proportional to exp(-nats), blurred by the map
-// error, gives to shift zero.
-double LogScoreAtTruth(const std::vector<double>& nats, double map_error_sigma_m) {
-  const double lowest = *std::min_element(nats.begin(), nats.end());
-  double total = 0, blurred = 0;
-  const double variance = map_error_sigma_m * map_error_sigma_m;
-  // The kernel is normalised over the grid, so that a sigma below its spacing stays a density.
-  double kernel_total = 0;
-  for (int i = 0; i < kShiftCount; ++i) {
-    const double p = std::exp(lowest - nats[static_cast<std::size_t>(i)]);
-    const double kernel = std::exp(-0.5 * Shift(i).squaredNorm() / variance);
-    total += p;
-    kernel_total += kernel;
-    blurred += p * kernel;
+// The normal density of the map error over the shifts, normalised over the grid, so that a sigma
+// below its spacing stays a density.
+class MapErrorKernel {
+ public:
+  explicit MapErrorKernel(double sigma_m) {
+    double total = 0;
+    for (int i = 0; i < kShiftCount; ++i) {
+      weight_.push_back(std::exp(-0.5 * Shift(i).squaredNorm() / (sigma_m * sigma_m)));
+      total += weight_.back();
+    }
+    for (double& weight : weight_) weight /= total;
   }
-  const double cell = kShiftSpacingM * kShiftSpacingM;
-  const double density = blurred / (total * kernel_total * cell);
-  return std::log((1.0 - kLostProbability) * density + kLostProbability / (kShiftCount * cell));
-}
 
-double PieceScore(const Piece& piece, const MapCalibration& trial) {
+  // log of the density (1/m^2) that the posterior proportional to exp(-nats), blurred by the map
+  // error, gives to shift zero.
+  double LogScoreAtTruth(const std::vector<double>& nats) const {
+    const double lowest = *std::min_element(nats.begin(), nats.end());
+    double total = 0, blurred = 0;
+    for (std::size_t i = 0; i < nats.size(); ++i) {
+      const double p = std::exp(lowest - nats[i]);
+      total += p;
+      blurred += p * weight_[i];
+    }
+    const double cell = kShiftSpacingM * kShiftSpacingM;
+    const double density = blurred / (total * cell);
+    return std::log((1.0 - kLostProbability) * density + kLostProbability / (kShiftCount * cell));
+  }
+
+ private:
+  std::vector<double> weight_;
+};
+
+double PieceScore(const Piece& piece, const MapCalibration& trial, const MapErrorKernel& kernel) {
   std::vector<double> sum(kShiftCount, 0.0);
   std::vector<double> alone(kShiftCount);
   double alone_score = 0;
@@ -138,10 +153,9 @@ double PieceScore(const Piece& piece, const MapCalibration& trial) {
       alone[i] = weight * (scan.signal_nats[i] + trial.hear_weight * scan.hearing_nats[i]);
       sum[i] += alone[i];
     }
-    alone_score += LogScoreAtTruth(alone, trial.map_error_sigma_m);
+    alone_score += kernel.LogScoreAtTruth(alone);
   }
-  return LogScoreAtTruth(sum, trial.map_error_sigma_m) +
-         alone_score / static_cast<double>(piece.size());
+  return kernel.LogScoreAtTruth(sum) + alone_score / static_cast<double>(piece.size());
 }
 
 struct Scored {
@@ -149,14 +163,16 @@ struct Scored {
   double score = -std::numeric_limits<double>::infinity();
 };
 
-Scored BestCalibration(const std::vector<Piece>& pieces) {
+Scored BestCalibration(const std::vector<Piece>& pieces, std::span<const double> n_effs,
+                       std::span<const double> hear_weights, std::span<const double> map_errors) {
   Scored best;
-  for (const double n_eff : kNEff) {
-    for (const double hear_weight : kHearWeights) {
-      for (const double sigma_m : kMapErrors) {
+  for (const double sigma_m : map_errors) {
+    const MapErrorKernel kernel(sigma_m);
+    for (const double n_eff : n_effs) {
+      for (const double hear_weight : hear_weights) {
         const MapCalibration trial{n_eff, hear_weight, sigma_m};
         double score = 0;
-        for (const Piece& piece : pieces) score += PieceScore(piece, trial);
+        for (const Piece& piece : pieces) score += PieceScore(piece, trial, kernel);
         if (score > best.score) best = {trial, score};
       }
     }
@@ -210,7 +226,8 @@ class HeldOut {
 double TrialScore(const HeldOut& held_out, const FieldModel& model) {
   std::vector<Piece> pieces;
   held_out.AppendFold(0, model, &pieces);
-  return BestCalibration(pieces).score;
+  const std::array hear_weights{MapCalibration().hear_weight};
+  return BestCalibration(pieces, kCoarseNEff, hear_weights, kCoarseMapErrors).score;
 }
 
 // Moves one parameter along its ladder, from the value it has, as long as the score grows.
@@ -264,7 +281,9 @@ MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const
   if (!held_out.enough()) return {};
   std::vector<Piece> pieces;
   for (int fold = 0; fold < kFolds; ++fold) held_out.AppendFold(fold, model, &pieces);
-  return BestCalibration(pieces).calibration;
+  const Scored coarse = BestCalibration(pieces, kCoarseNEff, kHearWeights, kCoarseMapErrors);
+  const std::array hear_weights{coarse.calibration.hear_weight};
+  return BestCalibration(pieces, kNEff, hear_weights, kMapErrors).calibration;
 }
 
 }  // namespace walkgraph
