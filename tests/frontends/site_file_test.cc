@@ -42,6 +42,7 @@ Site SmallSite() {
   map.grid = {{-8, -8}, 4.0, 4, 5};
   map.sigma_min_db = 4.25;
   map.n_eff = 3;
+  map.hear_weight = 0.4;
   map.map_error_sigma_m = 1.4;
   map.fields = {{1, 1, 2, 2, 1, -90.0F, 2.5F, -6.0F, {-60, -61}, {1.5F, 1.6F}, {0.5F, -0.5F}}};
   map.silence_nats.assign(20, 1.25F);
@@ -83,6 +84,7 @@ TEST(SiteFileTest, KeepsEveryMember) {
   EXPECT_EQ(site.scans[0].readings[0].age_s, 0.25F);
   const RadioMap* map = site.FindMap(-1, Radio::kBeacon);
   ASSERT_NE(map, nullptr);
+  EXPECT_EQ(map->hear_weight, 0.4);
   EXPECT_EQ(map->map_error_sigma_m, 1.4);
   EXPECT_EQ(map->fields[0].logit_hear, before.maps[0].fields[0].logit_hear);
 }
