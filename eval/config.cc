@@ -24,6 +24,7 @@ struct Complaint {
 
 std::vector<std::string> Names(const std::vector<ConfigKey>& keys) {
   std::vector<std::string> names;
+  names.reserve(keys.size());
   for (const ConfigKey& key : keys) names.push_back(key.name);
   return names;
 }

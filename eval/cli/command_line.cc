@@ -56,7 +56,7 @@ CommandLine ParseCommandLine(const Verb& verb, const std::vector<std::string>& w
       SetFlag(verb, flag, i + 1 < words.size() ? words[i + 1] : "", &line);
       ++i;
     } else {
-      throw UsageError("--" + flag + ": expected a value, --" + flag + "=...");
+      throw UsageError(word + ": expected a value behind it");
     }
   }
   return line;
