@@ -11,6 +11,7 @@
 #include "eval/files.h"
 #include "eval/result_files.h"
 #include "eval/survey_distance.h"
+#include "frontends/radio_map/reading_lag.h"
 
 namespace walkgraph {
 namespace {
@@ -28,8 +29,9 @@ std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& wa
   return ErrorsOfFixedPoint(centroid, floor, walk.truth);
 }
 
+// `evidence` is the walk's, aligned to the site.
 MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estimator& estimator,
-                    const std::string& method, const LoadedWalk& walk) {
+                    const std::string& method, const LoadedWalk& walk, const Evidence& evidence) {
   MethodOutcome outcome;
   if (!walk.error.empty()) {
     outcome.status = EstimateStatus::kInputError;
@@ -37,7 +39,7 @@ MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estim
     return outcome;
   }
   const Clock::time_point begin = Clock::now();
-  const EstimateResult result = RunMethod(estimator, site, walk.evidence);
+  const EstimateResult result = RunMethod(estimator, site, evidence);
   outcome.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   outcome.status = result.status;
   outcome.messages = result.messages;
@@ -82,8 +84,10 @@ WalkOutcome RunWalk(const WalkRunOptions& options, const Site& site,
   outcome.duration_s = SecondsBetween(walk.evidence.begin_ns, walk.evidence.end_ns);
   outcome.survey_distance_m = SurveyDistance(site, walk.truth);
   outcome.centroid_errors = CentroidErrors(site, walk);
+  const Evidence evidence = AlignReadings(site, walk.evidence);
   for (std::size_t i = 0; i < estimators.size(); ++i) {
-    outcome.methods.push_back(Score(options, site, *estimators[i], options.methods[i], walk));
+    outcome.methods.push_back(
+        Score(options, site, *estimators[i], options.methods[i], walk, evidence));
   }
   WriteFileWhole(options.out + "/walks/" + walk.file.id + ".json",
                  FormatWalkJson(outcome, options.methods));

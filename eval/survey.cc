@@ -73,6 +73,12 @@ int CalibrateDataset(const LearnOptions& options) {
                   RadioName(map.radio), map.n_eff, map.map_error_sigma_m);
     text += line.data();
   }
+  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+    std::array<char, 80> line;
+    std::snprintf(line.data(), line.size(), "# In the site, %s readings lag by %.2f s\n",
+                  RadioName(radio), fold.site.reading_lag_s[static_cast<std::size_t>(radio)]);
+    text += line.data();
+  }
   text += PrintChanges(Settings(), fold.settings);
   WriteFileWhole(options.out, text);
   std::fputs(text.c_str(), stdout);

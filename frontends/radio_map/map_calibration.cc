@@ -223,9 +223,9 @@ class HeldOut {
   std::size_t keep_every_ = 1;
 };
 
-double TrialScore(const HeldOut& held_out, const FieldModel& model) {
+double TrialScore(const HeldOut& held_out, const FieldModel& model, int folds = 1) {
   std::vector<Piece> pieces;
-  held_out.AppendFold(0, model, &pieces);
+  for (int fold = 0; fold < folds; ++fold) held_out.AppendFold(fold, model, &pieces);
   const std::array hear_weights{MapCalibration().hear_weight};
   return BestCalibration(pieces, kCoarseNEff, hear_weights, kCoarseMapErrors).score;
 }
@@ -251,6 +251,13 @@ void Climb(const HeldOut& held_out, std::span<const double> ladder,
 }
 
 }  // namespace
+
+std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& grid,
+                                     const ScanList& scans, const TrainerSettings& settings) {
+  const HeldOut held_out(floor, radio, grid, scans, settings, kTrialTransmitters);
+  if (!held_out.enough()) return std::nullopt;
+  return TrialScore(held_out, FieldModel(), kFolds);
+}
 
 FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                             const TrainerSettings& settings) {

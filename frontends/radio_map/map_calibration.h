@@ -1,6 +1,8 @@
 #ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_CALIBRATION_H_
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_CALIBRATION_H_
 
+#include <optional>
+
 #include "frontends/radio_map/map_builder.h"
 
 namespace walkgraph {
@@ -18,6 +20,12 @@ struct MapCalibration {
   double hear_weight = 0.5;      // see RadioMap
   double map_error_sigma_m = 2;  // of the error that the scans of some 20 s share, per axis
 };
+
+// Total score of the default field model on held-out walks, at the best of a coarse grid of
+// calibrations: comparable between different placements of the same walks' scans. Nothing where
+// there are fewer than six walks.
+std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& grid,
+                                     const ScanList& scans, const TrainerSettings& settings);
 
 // Length scale, noise and hearing bandwidth by climbing fixed ladders on one third of the walks,
 // with a selection of the transmitters; then the scale that makes left-out residuals honest. The

@@ -2,6 +2,7 @@
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_SITE_H_
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -45,6 +46,11 @@ struct Site {
   std::vector<SurveyPoint> path;
   std::vector<SurveyScan> scans;  // by walk, then printed_ns
   std::vector<RadioMap> maps;     // by floor, then radio
+  // How long after its stamp a reading of a radio speaks of the place where the phone was, s.
+  // Clocks play a part, and the walker's body, which makes what lies ahead sound nearer than what
+  // lies behind. Calibrated in the survey, whose readings were placed with it; AlignReadings()
+  // gives evidence the same.
+  std::array<double, kRadioCount> reading_lag_s{};
 
   // The map of a floor and radio, or nullptr where nothing was surveyed.
   const RadioMap* FindMap(int floor, Radio radio) const;

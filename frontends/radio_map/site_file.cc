@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -216,6 +216,7 @@ void ArchiveSite(A& a, S& site) {
   });
   Each(a, site.scans, [](A& b, auto& scan) { ArchiveScan(b, scan); });
   Each(a, site.maps, [](A& b, auto& map) { ArchiveMap(b, map); });
+  for (auto& lag_s : site.reading_lag_s) a.Scalar(lag_s);
 }
 
 // What queries rely on without looking: sizes that fit each other and indices that exist.

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "frontends/radio_map/map_builder.h"
 #include "frontends/radio_map/map_calibration.h"
-#include "frontends/radio_map/sweeps.h"
+#include "frontends/radio_map/reading_lag.h"
+#include "frontends/radio_map/survey_scans.h"
 
 namespace walkgraph {
 namespace {
 
 constexpr double kPathSpacingM = 1.0;
-// A reading this long before the first or after the last known position is still placed there.
-constexpr double kClampSeconds = 1.0;
 
 std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
   std::set<Transmitter> all;
@@ -41,32 +41,6 @@ void AppendPath(const Trajectory& trajectory, std::uint32_t walk, std::vector<Su
       path->push_back({from + (to - from) * i / pieces, pose.floor, walk});
     }
     if (pieces > 0) last = &pose;
-  }
-}
-
-bool IsPlaced(const Trajectory& trajectory, TimeNs time_ns) {
-  return SecondsBetween(time_ns, trajectory.poses.front().time_ns) <= kClampSeconds &&
-         SecondsBetween(trajectory.poses.back().time_ns, time_ns) <= kClampSeconds;
-}
-
-void AppendScans(const SurveyWalk& walk, std::uint32_t index, Radio radio,
-                 const std::vector<std::int32_t>& site_index, std::vector<SurveyScan>* scans) {
-  for (const Sweep& sweep : GroupSweeps(*walk.evidence, radio)) {
-    SurveyScan scan;
-    scan.walk = index;
-    scan.radio = radio;
-    scan.printed_ns = walk.evidence->readings[sweep.readings.front()].printed_ns;
-    scan.floor = walk.trajectory.At(sweep.mean_heard_ns).floor;
-    for (const std::size_t i : sweep.readings) {
-      const RadioReading& reading = walk.evidence->readings[i];
-      if (!IsPlaced(walk.trajectory, reading.heard_ns)) continue;
-      const PoseEstimate pose = walk.trajectory.At(reading.heard_ns);
-      scan.readings.push_back(
-          {static_cast<std::uint32_t>(site_index[reading.transmitter]), reading.rssi_dbm,
-           static_cast<float>(SecondsBetween(reading.heard_ns, reading.printed_ns)),
-           pose.position_m.head<2>().cast<float>()});
-    }
-    if (!scan.readings.empty()) scans->push_back(std::move(scan));
   }
 }
 
@@ -100,14 +74,22 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
   Site site;
   site.building = building;
   site.transmitters = AllTransmitters(walks);
+  std::vector<std::vector<std::int32_t>> site_index;
   for (std::size_t i = 0; i < walks.size(); ++i) {
-    const SurveyWalk& walk = walks[i];
-    if (walk.trajectory.empty()) continue;
-    const std::uint32_t index = static_cast<std::uint32_t>(i);
-    AppendPath(walk.trajectory, index, &site.path);
-    const std::vector<std::int32_t> site_index = MatchTransmitters(site, *walk.evidence);
-    for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
-      AppendScans(walk, index, radio, site_index, &site.scans);
+    AppendPath(walks[i].trajectory, static_cast<std::uint32_t>(i), &site.path);
+    site_index.push_back(MatchTransmitters(site, *walks[i].evidence));
+  }
+  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+    double& lag_s = site.reading_lag_s[static_cast<std::size_t>(radio)];
+    if (settings.calibrate_lag) {
+      lag_s = CalibrateReadingLag(building, walks, site_index, site.path, radio, settings);
+    }
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+      if (walks[i].trajectory.empty()) continue;
+      for (SurveyScan& scan : PlaceScans(walks[i], static_cast<std::uint32_t>(i), radio,
+                                         site_index[i], lag_s, {lag_s, lag_s})) {
+        site.scans.push_back(std::move(scan));
+      }
     }
   }
   std::stable_sort(site.scans.begin(), site.scans.end(),

@@ -17,6 +17,7 @@ struct TrainerSettings {
   double margin_m = 15.0;             // of a transmitter's field around the places that heard it
   double rssi_offset_sigma_db = 3.0;  // common to the readings of a scan, in calibration
   double hear_prior_sweeps = 1.0;     // weight of the floor-wide rate in the probability of hearing
+  bool calibrate_lag = true;          // else readings are taken to speak of their stamped time
 };
 
 template <typename Visitor>
@@ -29,6 +30,9 @@ void Visit(Visitor& v, TrainerSettings& s) {
           "offset common to the readings of a scan, in calibration, dB");
   v.Field("hear_prior_sweeps", s.hear_prior_sweeps,
           "weight of the floor-wide rate in the probability of hearing, sweeps");
+  v.Field(
+      "calibrate_lag", s.calibrate_lag,
+      "find how long after its stamp a reading speaks of the phone's place; false: at its stamp");
 }
 
 // A walk with known positions. How well they are known shows in the noise that the fields are
@@ -42,8 +46,8 @@ struct SurveyWalk {
 // trajectory). Walks without a trajectory add nothing, walks without readings only their path. Each
 // field is a Gaussian process; its length scale and noise, the bandwidth of hearing and a map's
 // n_eff and map_error_sigma_m are chosen by how well they place survey walks held out of the map
-// (see map_calibration.h). Deterministic: equal input gives an equal site. No survey at all gives a
-// site without maps.
+// (see map_calibration.h), and so is the lag of each radio's readings. Deterministic: equal input
+// gives an equal site. No survey at all gives a site without maps.
 Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                const TrainerSettings& settings);
 

@@ -1,0 +1,80 @@
+#include "frontends/radio_map/reading_lag.h"
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "frontends/radio_map/map_calibration.h"
+#include "frontends/radio_map/survey_scans.h"
+
+namespace walkgraph {
+namespace {
+
+constexpr std::array kLadder{-0.75, 0.0, 0.75, 1.5, 2.25};
+constexpr LagRange kRange{kLadder.front(), kLadder.back()};
+
+using Scores = Eigen::Matrix<double, kLadder.size(), 1>;
+
+// Scores are noisy by a few nats and the top is broad: all of the ladder has a say.
+double TopOfParabola(const Scores& scores) {
+  Eigen::Matrix<double, kLadder.size(), 3> powers;
+  for (std::size_t l = 0; l < kLadder.size(); ++l) {
+    powers.row(static_cast<Eigen::Index>(l)) << 1.0, kLadder[l], kLadder[l] * kLadder[l];
+  }
+  const Eigen::Vector3d fit = powers.colPivHouseholderQr().solve(scores);
+  if (fit[2] < 0) return std::clamp(-0.5 * fit[1] / fit[2], kRange.first_s, kRange.last_s);
+  Eigen::Index best = 0;
+  scores.maxCoeff(&best);
+  return kLadder[static_cast<std::size_t>(best)];
+}
+
+}  // namespace
+
+double CalibrateReadingLag(const Building& building, const std::vector<SurveyWalk>& walks,
+                           const std::vector<std::vector<std::int32_t>>& site_index,
+                           const std::vector<SurveyPoint>& path, Radio radio,
+                           const TrainerSettings& settings) {
+  Scores scores = Scores::Zero();
+  bool any = false;
+  for (std::size_t l = 0; l < kLadder.size(); ++l) {
+    std::map<int, std::vector<SurveyScan>> by_floor;
+    for (std::size_t w = 0; w < walks.size(); ++w) {
+      if (walks[w].trajectory.empty()) continue;
+      for (SurveyScan& scan : PlaceScans(walks[w], static_cast<std::uint32_t>(w), radio,
+                                         site_index[w], kLadder[l], kRange)) {
+        by_floor[scan.floor].push_back(std::move(scan));
+      }
+    }
+    for (const auto& [floor, scans] : by_floor) {
+      ScanList list;
+      for (const SurveyScan& scan : scans) list.push_back(&scan);
+      const FieldGrid grid = CoveringGrid(building.FindFloor(floor), path, floor, settings);
+      const std::optional<double> score = PlacementScore(floor, radio, grid, list, settings);
+      if (!score) continue;
+      scores[static_cast<Eigen::Index>(l)] += *score;
+      any = true;
+    }
+  }
+  return any ? TopOfParabola(scores) : 0.0;
+}
+
+Evidence AlignReadings(const Site& site, Evidence evidence) {
+  std::array<TimeNs, kRadioCount> lag_ns{};
+  for (std::size_t r = 0; r < kRadioCount; ++r) lag_ns[r] = DurationNs(site.reading_lag_s[r]);
+  for (RadioReading& reading : evidence.readings) {
+    const auto radio = static_cast<std::size_t>(evidence.transmitters[reading.transmitter].radio);
+    reading.heard_ns += lag_ns[radio];
+    reading.printed_ns += lag_ns[radio];
+  }
+  std::stable_sort(
+      evidence.readings.begin(), evidence.readings.end(),
+      [](const RadioReading& a, const RadioReading& b) { return a.heard_ns < b.heard_ns; });
+  return evidence;
+}
+
+}  // namespace walkgraph

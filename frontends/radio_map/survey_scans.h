@@ -1,0 +1,29 @@
+#ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_SURVEY_SCANS_H_
+#define WALKGRAPH_FRONTENDS_RADIO_MAP_SURVEY_SCANS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "frontends/radio_map/site.h"
+#include "frontends/radio_map/trainer.h"
+
+namespace walkgraph {
+
+// Lags (s) at which a reading must be within a second of the span of known positions to take part.
+struct LagRange {
+  double first_s = 0;
+  double last_s = 0;
+};
+
+// The unique readings of a survey walk's scans of one radio, each where the person was `lag_s`
+// after it was stamped (see Site::reading_lag_s). `placed` is {lag_s, lag_s}, or wider where
+// different lags are to be compared on the same readings. `index` is the walk's number,
+// `site_index` the site's transmitter of each of the evidence's. Precondition: the trajectory is
+// not empty.
+std::vector<SurveyScan> PlaceScans(const SurveyWalk& walk, std::uint32_t index, Radio radio,
+                                   const std::vector<std::int32_t>& site_index, double lag_s,
+                                   const LagRange& placed);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_SURVEY_SCANS_H_
