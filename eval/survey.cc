@@ -72,6 +72,7 @@ int SurveyDataset(const LearnOptions& options) {
   std::fprintf(stderr, "training on %zu walks\n", training.size());
   const Fold fold = PrepareFold(dataset.building, training, {}, {}, options.overrides);
   const Site& site = fold.site;
+  if (options.stopped()) return kExitInterrupted;
   WriteSiteFile(site, options.out);
   std::printf("%s: %zu transmitters, %zu maps, %zu scans\n", options.out.c_str(),
               site.transmitters.size(), site.maps.size(), site.scans.size());
@@ -88,6 +89,7 @@ int CalibrateDataset(const LearnOptions& options) {
   if (options.stopped()) return kExitInterrupted;
   const std::vector<const LoadedWalk*> training = WalksWithTruth(options, walks);
   const Fold fold = PrepareFold(dataset.building, training, {}, {}, options.overrides);
+  if (options.stopped()) return kExitInterrupted;
   std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n";
   for (const RadioMap& map : fold.site.maps) {
     std::array<char, 160> line;
