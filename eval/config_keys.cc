@@ -11,9 +11,13 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kLossNames = {"none", "huber", "cauchy"};
 constexpr std::array<std::string_view, 3> kStateModeNames = {"active", "fixed", "absent"};
+constexpr std::array<std::string_view, 2> kSurveyPositionsNames = {"walked_distance", "smoother"};
 
 std::span<const std::string_view> EnumNames(LossKind /*tag*/) { return kLossNames; }
 std::span<const std::string_view> EnumNames(StateMode /*tag*/) { return kStateModeNames; }
+std::span<const std::string_view> EnumNames(SurveyPositions /*tag*/) {
+  return kSurveyPositionsNames;
+}
 std::span<const std::string_view> EnumNames(ReferenceArea /*tag*/) { return kReferenceAreaNames; }
 std::span<const std::string_view> EnumNames(HipeCase /*tag*/) { return kHipeCaseNames; }
 std::span<const std::string_view> EnumNames(HipeDistance /*tag*/) { return kHipeDistanceNames; }
@@ -85,6 +89,7 @@ std::vector<ConfigKey> CollectKeys(Settings* settings) {
   KeyCollector factors("noise", "factors", &keys);
   Visit(factors, settings->factors);
   Collect("frontend", settings->frontend, &keys);
+  Collect("radio_map", settings->survey, &keys);
   Collect("radio_map", settings->radio_map, &keys);
   Collect("solver", settings->solver, &keys);
   Collect("window", settings->window, &keys);

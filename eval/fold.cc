@@ -1,13 +1,37 @@
 #include "eval/fold.h"
 
+#include <glog/logging.h>
+
+#include <cstddef>
 #include <deque>
+#include <utility>
 
 #include "eval/calibrate/calibrate_motion.h"
 #include "eval/cross_validation.h"
-#include "frontends/radio_map/survey_positions.h"
+#include "eval/survey_placement.h"
 #include "frontends/radio_map/trainer.h"
 
 namespace walkgraph {
+namespace {
+
+std::vector<SurveyWalk> PlaceSurvey(const Building& building,
+                                    const std::vector<CalibrationWalk>& walks,
+                                    const Settings& settings) {
+  std::vector<SurveyWalk> survey;
+  std::size_t fell_back = 0;
+  for (const CalibrationWalk& walk : walks) {
+    SurveyPlacement placement = PlaceSurveyWalk(building, *walk.truth, *walk.evidence, settings);
+    fell_back += placement.fell_back ? 1 : 0;
+    survey.push_back({walk.evidence, std::move(placement.trajectory)});
+  }
+  if (fell_back > 0) {
+    LOG(INFO) << "survey positions: " << fell_back << " of " << walks.size()
+              << " walks by walked distance, as the smoother has no answer for them";
+  }
+  return survey;
+}
+
+}  // namespace
 
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
@@ -17,21 +41,20 @@ Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>&
   for (const LoadedWalk* walk : test) heard_in_test.Add(walk->evidence);
   heard_in_test.Freeze();
 
-  std::deque<Evidence> evidence;  // keeps the addresses that the survey walks point to
-  std::vector<SurveyWalk> survey;
-  std::vector<CalibrationWalk> calibration;
+  std::deque<Evidence> evidence;  // keeps the addresses that the walks point to
+  std::vector<CalibrationWalk> walks;
   for (const LoadedWalk* walk : training) {
     if (!walk->error.empty() || walk->truth.waypoints.empty()) continue;
     evidence.push_back(walk->evidence);
     heard_in_test.RemoveFrom(&evidence.back());
-    survey.push_back({&evidence.back(), SurveyTrajectory(walk->truth, walk->evidence)});
-    calibration.push_back({&evidence.back(), &walk->truth});
+    walks.push_back({&evidence.back(), &walk->truth});
   }
 
   Fold fold;
-  CalibrateMotion(building, calibration, &fold.settings.factors);
+  CalibrateMotion(building, walks, &fold.settings.factors);
   ApplyOverrides(overrides, &fold.settings);
-  fold.site = TrainSite(building, survey, fold.settings.radio_map);
+  fold.site =
+      TrainSite(building, PlaceSurvey(building, walks, fold.settings), fold.settings.radio_map);
   for (const Method* method : methods) fold.estimators.push_back(method->make(fold.settings));
   return fold;
 }

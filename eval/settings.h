@@ -1,6 +1,8 @@
 #ifndef WALKGRAPH_EVAL_SETTINGS_H_
 #define WALKGRAPH_EVAL_SETTINGS_H_
 
+#include <cstdint>
+
 #include "factors/settings.h"
 #include "frontends/radio_map/trainer.h"
 #include "frontends/settings.h"
@@ -12,6 +14,19 @@
 #include "solvers/settings.h"
 
 namespace walkgraph {
+
+// How survey walks are placed between their waypoints: on the straight lines by the distance walked
+// (SurveyTrajectory), or where the motion sensors say, held at the waypoints (AnchoredSmoother).
+enum class SurveyPositions : std::uint8_t { kWalkedDistance, kSmoother };
+
+struct SurveySettings {
+  SurveyPositions positions = SurveyPositions::kWalkedDistance;
+};
+
+template <typename Visitor>
+void Visit(Visitor& v, SurveySettings& s) {
+  v.Field("positions", s.positions, "survey walks between waypoints: walked_distance or smoother");
+}
 
 // How estimates are scored.
 struct ScoringSettings {
@@ -48,6 +63,7 @@ void Visit(Visitor& v, BaselineSettings& s) {
 struct Settings {
   FactorSettings factors;
   FrontendSettings frontend;
+  SurveySettings survey;
   TrainerSettings radio_map;
   SolverSettings solver;
   WindowSettings window;

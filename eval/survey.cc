@@ -12,6 +12,7 @@
 #include "eval/loaded_walk.h"
 #include "eval/parallel.h"
 #include "eval/progress.h"
+#include "eval/survey_placement.h"
 #include "frontends/radio_map/site_file.h"
 
 namespace walkgraph {
@@ -44,6 +45,23 @@ std::vector<const LoadedWalk*> WalksWithTruth(const LearnOptions& options,
   return with_truth;
 }
 
+// How good the survey's positions are, both ways, by waypoints that neither was told of.
+std::string CompareSurveyPositions(const LearnOptions& options, const Building& building,
+                                   const std::vector<const LoadedWalk*>& walks, Settings settings) {
+  std::vector<LeftOutRow> rows = {{"walked_distance", {}}, {"smoother", {}}};
+  for (const SurveyPositions positions :
+       {SurveyPositions::kWalkedDistance, SurveyPositions::kSmoother}) {
+    settings.survey.positions = positions;
+    std::vector<std::vector<WaypointError>> errors(walks.size());
+    ParallelFor(options.workers, walks.size(), options.stopped, [&](std::size_t i) {
+      errors[i] = LeftOutErrors(building, walks[i]->truth, walks[i]->evidence, settings);
+    });
+    std::vector<WaypointError>& all = rows[static_cast<std::size_t>(positions)].errors;
+    for (const auto& of_walk : errors) all.insert(all.end(), of_walk.begin(), of_walk.end());
+  }
+  return FormatLeftOut(rows);
+}
+
 }  // namespace
 
 int SurveyDataset(const LearnOptions& options) {
@@ -52,10 +70,16 @@ int SurveyDataset(const LearnOptions& options) {
   if (options.stopped()) return kExitInterrupted;
   const std::vector<const LoadedWalk*> training = WalksWithTruth(options, walks);
   std::fprintf(stderr, "training on %zu walks\n", training.size());
-  const Site site = PrepareFold(dataset.building, training, {}, {}, options.overrides).site;
+  const Fold fold = PrepareFold(dataset.building, training, {}, {}, options.overrides);
+  const Site& site = fold.site;
+  if (options.stopped()) return kExitInterrupted;
   WriteSiteFile(site, options.out);
   std::printf("%s: %zu transmitters, %zu maps, %zu scans\n", options.out.c_str(),
               site.transmitters.size(), site.maps.size(), site.scans.size());
+  const std::string positions =
+      CompareSurveyPositions(options, dataset.building, training, fold.settings);
+  if (options.stopped()) return kExitInterrupted;
+  std::fputs(positions.c_str(), stdout);
   return kExitOk;
 }
 
@@ -65,6 +89,7 @@ int CalibrateDataset(const LearnOptions& options) {
   if (options.stopped()) return kExitInterrupted;
   const std::vector<const LoadedWalk*> training = WalksWithTruth(options, walks);
   const Fold fold = PrepareFold(dataset.building, training, {}, {}, options.overrides);
+  if (options.stopped()) return kExitInterrupted;
   std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n";
   for (const RadioMap& map : fold.site.maps) {
     std::array<char, 160> line;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "eval/run_program.h"
 
 namespace walkgraph {
@@ -43,6 +45,15 @@ TEST(BadInput, UnknownMethod) {
   EXPECT_FALSE(Exists(out));
 }
 
+TEST(BadInput, UnknownMethodOfSmooth) {
+  const std::string out = FreshPath("out");
+  const ProgramResult result = RunWalkgraph(
+      {"smooth", "--site=unused", "--method=vitrebi", "--out=" + out, kSample + "/test/walk_01"});
+  EXPECT_EQ(result.exit_code, kUsage);
+  EXPECT_THAT(result.output, HasSubstr("unknown method \"vitrebi\", did you mean \"viterbi\"?"));
+  EXPECT_FALSE(Exists(out));
+}
+
 TEST(BadInput, MissingRecording) {
   const ProgramResult result = RunWalkgraph({"inspect", "/nowhere/walk.txt"});
   EXPECT_EQ(result.exit_code, kBadInput);
@@ -57,6 +68,48 @@ TEST(BadInput, WrongFormat) {
   EXPECT_THAT(result.output, AllOf(HasSubstr(path), HasSubstr("expected")));
 }
 
+// Smoothing has to see that there is nothing to smooth before it makes its folder.
+TEST(BadInput, NothingToSmooth) {
+  const std::string site = FreshPath("site"), out = FreshPath("out");
+  const std::string missing = FreshPath("missing.txt"), letter = FreshPath("letter.txt");
+  std::ofstream(letter) << "Dear walker,\nthis is no recording.\n";
+  ASSERT_EQ(RunWalkgraph({"survey", "--dataset=" + kSample + "/survey", "--out=" + site}).exit_code,
+            0);
+  for (const std::string& path : {missing, letter}) {
+    const ProgramResult result = RunWalkgraph({"smooth", "--site=" + site, "--out=" + out, path});
+    EXPECT_EQ(result.exit_code, kBadInput);
+    EXPECT_THAT(result.output, AllOf(HasSubstr(path), HasSubstr("expected")));
+    EXPECT_FALSE(Exists(out));
+  }
+}
+
+TEST(BadInput, ADatasetOfOtherFiles) {
+  const std::string dataset = FreshPath("letters"), out = FreshPath("out");
+  std::filesystem::create_directories(dataset);
+  std::ofstream(dataset + "/letter.txt") << "Dear walker,\nthis is no recording.\n";
+  for (const std::string verb : {"survey", "calibrate", "evaluate"}) {
+    std::vector<std::string> words = {verb, "--dataset=" + dataset, "--out=" + out};
+    if (verb == "evaluate") words.push_back("--methods=wknn");
+    const ProgramResult result = RunWalkgraph(words);
+    EXPECT_EQ(result.exit_code, kBadInput) << verb;
+    EXPECT_THAT(result.output, AllOf(HasSubstr(dataset), HasSubstr("expected")));
+    EXPECT_FALSE(Exists(out));
+  }
+}
+
+TEST(BadInput, MissingConfigurationAndNoYaml) {
+  const std::string config = FreshPath("config.yaml"), out = FreshPath("out");
+  const std::vector<std::string> evaluate = {"evaluate", "--dataset=" + kSample, "--out=" + out,
+                                             "--methods=wknn", "--config=" + config};
+  for (const bool exists : {false, true}) {
+    if (exists) std::ofstream(config) << "noise: [unclosed\n";
+    const ProgramResult result = RunWalkgraph(evaluate);
+    EXPECT_EQ(result.exit_code, kBadInput);
+    EXPECT_THAT(result.output, AllOf(HasSubstr(config), HasSubstr("expected")));
+    EXPECT_FALSE(Exists(out));
+  }
+}
+
 TEST(BadInput, MisspeltKeyInTheConfiguration) {
   const std::string config = FreshPath("config.yaml"), out = FreshPath("out");
   std::ofstream(config) << "noise:\n  step:\n    sigma_alog_m: 0.2\n";
@@ -68,10 +121,20 @@ TEST(BadInput, MisspeltKeyInTheConfiguration) {
   EXPECT_FALSE(Exists(out));
 }
 
-TEST(BadInput, MisspeltKeyOnTheCommandLine) {
-  const ProgramResult result = RunWalkgraph({"config", "--set", "noise.step.sigma_alog_m=0.2"});
-  EXPECT_EQ(result.exit_code, kUsage);
-  EXPECT_THAT(result.output, HasSubstr("did you mean \"noise.step.sigma_along_m\"?"));
+TEST(BadInput, MisspeltKeyOrValueOnTheCommandLine) {
+  const std::string out = FreshPath("out");
+  const auto evaluate_with = [&](const std::string& assignment) {
+    return RunWalkgraph({"evaluate", "--dataset=" + kSample, "--methods=wknn", "--out=" + out,
+                         "--set", assignment});
+  };
+  const ProgramResult key = evaluate_with("noise.step.sigma_alog_m=0.2");
+  EXPECT_EQ(key.exit_code, kUsage);
+  EXPECT_THAT(key.output, HasSubstr("did you mean \"noise.step.sigma_along_m\"?"));
+  const ProgramResult value = evaluate_with("radio_map.positions=smother");
+  EXPECT_EQ(value.exit_code, kUsage);
+  EXPECT_THAT(value.output, AllOf(HasSubstr("radio_map.positions is \"smother\""),
+                                  HasSubstr("expected walked_distance or smoother")));
+  EXPECT_FALSE(Exists(out));
 }
 
 TEST(BadInput, EmptyAndMissingDataset) {
@@ -89,24 +152,44 @@ TEST(BadInput, EmptyAndMissingDataset) {
   }
 }
 
-TEST(BadInput, SiteFileThatIsMissingCutOrNoSite) {
+TEST(BadInput, SiteFileThatIsMissingOrNoSite) {
   const std::string site = FreshPath("site"), out = FreshPath("out");
-  const std::string walk = kSample + "/test/walk_01";
-  const std::vector<std::string> smooth = {"smooth", "--site=" + site, "--out=" + out, walk};
-  EXPECT_EQ(RunWalkgraph(smooth).exit_code, kBadInput);
+  for (const bool exists : {false, true}) {
+    if (exists) std::ofstream(site) << "WALKGRAPHSITE\n";
+    const ProgramResult result =
+        RunWalkgraph({"smooth", "--site=" + site, "--out=" + out, kSample + "/test/walk_01"});
+    EXPECT_EQ(result.exit_code, kBadInput);
+    EXPECT_THAT(result.output, AllOf(HasSubstr(site), HasSubstr("expected")));
+    EXPECT_FALSE(Exists(out));
+  }
+}
 
-  std::ofstream(site) << "WALKGRAPHSITE\n";
-  const ProgramResult short_file = RunWalkgraph(smooth);
-  EXPECT_EQ(short_file.exit_code, kBadInput);
-  EXPECT_THAT(short_file.output, AllOf(HasSubstr(site), HasSubstr("expected")));
-
+// Wherever a copy broke off, down to the last byte.
+TEST(BadInput, SiteFileThatIsCut) {
+  const std::string site = FreshPath("site"), out = FreshPath("out");
   ASSERT_EQ(RunWalkgraph({"survey", "--dataset=" + kSample + "/survey", "--out=" + site}).exit_code,
             0);
-  std::filesystem::resize_file(site, std::filesystem::file_size(site) / 2);
-  const ProgramResult cut = RunWalkgraph(smooth);
-  EXPECT_EQ(cut.exit_code, kBadInput);
-  EXPECT_THAT(cut.output, AllOf(HasSubstr(site), HasSubstr("expected")));
-  EXPECT_FALSE(Exists(out));
+  const std::uintmax_t whole = std::filesystem::file_size(site);
+  for (const std::uintmax_t size :
+       {whole - 1, whole * 7 / 8, whole / 2, whole / 8, std::uintmax_t{20}, std::uintmax_t{0}}) {
+    std::filesystem::resize_file(site, size);
+    const ProgramResult result =
+        RunWalkgraph({"smooth", "--site=" + site, "--out=" + out, kSample + "/test/walk_01"});
+    EXPECT_EQ(result.exit_code, kBadInput) << size;
+    EXPECT_THAT(result.output, AllOf(HasSubstr(site), HasSubstr("expected"))) << size;
+    EXPECT_FALSE(Exists(out));
+  }
+}
+
+TEST(BadInput, ReportOfNoResults) {
+  const std::string results = FreshPath("results"), page = FreshPath("page.html");
+  for (const bool exists : {false, true}) {
+    if (exists) std::filesystem::create_directories(results);
+    const ProgramResult result = RunWalkgraph({"report", results, "--out=" + page});
+    EXPECT_EQ(result.exit_code, kBadInput);
+    EXPECT_THAT(result.output, AllOf(HasSubstr("results/building.json"), HasSubstr("expected")));
+    EXPECT_FALSE(Exists(page));
+  }
 }
 
 TEST(BadInput, AFolderWithOtherThingsIsNotOverwritten) {

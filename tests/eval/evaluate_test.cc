@@ -59,25 +59,6 @@ TEST(Evaluate, ScoresHaveARowPerWalkAndMethodThatAddsUpToTheSummary) {
   EXPECT_EQ(summary.at("checksums").size(), 4u + 14u);
 }
 
-TEST(Evaluate, CtrlCLeavesFinishedWalksAndExits130) {
-  const std::string out = FreshPath("out");
-  bool sent = false;
-  const ProgramResult result =
-      RunWalkgraph(EvaluateSample(out, 1), [&](pid_t child, const std::string& output) {
-        // Once the first walk has been estimated there is something to leave.
-        if (!sent && output.find(" walks done:") != std::string::npos) {
-          kill(child, SIGINT);
-          sent = true;
-        }
-      });
-  EXPECT_EQ(result.exit_code, 130);
-  EXPECT_THAT(ReadText(out + "/scores.csv"), HasSubstr("walk,method,fold"));
-  for (const auto& [name, content] : ResultFiles(out)) {
-    EXPECT_FALSE(name.ends_with(".tmp")) << name;
-    EXPECT_FALSE(content.empty()) << name;
-  }
-}
-
 TEST(Smooth, AnchorsPullTheTrajectoryAndAreNotScored) {
   const std::string site = FreshPath("site"), free = FreshPath("free"), tied = FreshPath("tied");
   ASSERT_EQ(RunWalkgraph({"survey", "--dataset=" + kSurvey, "--out=" + site}).exit_code, 0);

@@ -1,0 +1,94 @@
+#ifndef WALKGRAPH_TESTS_BENCHMARKS_SURVEYED_SCENE_H_
+#define WALKGRAPH_TESTS_BENCHMARKS_SURVEYED_SCENE_H_
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/dataset.h"
+#include "eval/fold.h"
+#include "eval/loaded_walk.h"
+
+namespace walkgraph {
+
+// A calibrated site and a walk that is not in it.
+struct SurveyedScene {
+  Site site;
+  Settings settings;
+  LoadedWalk walk;
+
+  double WalkSeconds() const {
+    return SecondsBetween(walk.evidence.begin_ns, walk.evidence.end_ns);
+  }
+};
+
+inline std::vector<LoadedWalk> LoadAll(const Dataset& dataset, const Building& building) {
+  std::vector<LoadedWalk> walks;
+  for (const WalkFile& file : dataset.walks) walks.push_back(LoadWalk(file, building, {}, true));
+  return walks;
+}
+
+inline SurveyedScene MakeScene(const Building& building, const std::vector<LoadedWalk>& walks,
+                               const LoadedWalk& walk) {
+  std::vector<const LoadedWalk*> training;
+  for (const LoadedWalk& other : walks) {
+    if (&other != &walk) training.push_back(&other);
+  }
+  Fold fold = PrepareFold(building, training, {&walk}, {}, {});
+  return {std::move(fold.site), fold.settings, walk};
+}
+
+// The committed sample: its survey, and the first of its test walks.
+inline const SurveyedScene* SampleScene() {
+  static const SurveyedScene* const kScene = [] {
+    const std::string folder = std::string(WALKGRAPH_SOURCE_DIR) + "/data/samples";
+    const Dataset survey = OpenDataset(folder + "/survey");
+    const Dataset test = OpenDataset(folder + "/test");
+    const LoadedWalk walk = LoadWalk(test.walks.front(), survey.building, {}, true);
+    return new SurveyedScene(MakeScene(survey.building, LoadAll(survey, survey.building), walk));
+  }();
+  return kScene;
+}
+
+// A recorded floor and its walk that is closest to half a minute long; nullptr where
+// WALKGRAPH_REAL_DATA does not lead to it.
+inline const SurveyedScene* RecordedScene() {
+  static const SurveyedScene* const kScene = []() -> const SurveyedScene* {
+    const char* root = std::getenv("WALKGRAPH_REAL_DATA");
+    const std::string folder = root == nullptr ? "" : std::string(root) + "/ilc20/data/site1/F2";
+    if (!std::filesystem::is_directory(folder)) return nullptr;
+    const Dataset dataset = OpenDataset(folder);
+    const std::vector<LoadedWalk> walks = LoadAll(dataset, dataset.building);
+    const LoadedWalk* best = nullptr;
+    double best_s = std::numeric_limits<double>::infinity();
+    for (const LoadedWalk& walk : walks) {
+      const double off_s =
+          std::abs(SecondsBetween(walk.evidence.begin_ns, walk.evidence.end_ns) - 30);
+      if (walk.evidence.readings.empty() || off_s >= best_s) continue;
+      best = &walk;
+      best_s = off_s;
+    }
+    return new SurveyedScene(MakeScene(dataset.building, walks, *best));
+  }();
+  return kScene;
+}
+
+using SceneSource = const SurveyedScene* (*)();
+
+// The scene, or nullptr after the benchmark has been told to skip.
+inline const SurveyedScene* SceneOrSkip(benchmark::State& state, SceneSource source) {
+  const SurveyedScene* scene = source();
+  if (scene == nullptr) state.SkipWithError("WALKGRAPH_REAL_DATA does not lead to ilc20");
+  return scene;
+}
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_TESTS_BENCHMARKS_SURVEYED_SCENE_H_
