@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "data/simulator/plan.h"
+#include "data/simulator/office_plan.h"
 #include "data/simulator/radio.h"
 #include "data/simulator/random.h"
 
@@ -45,11 +45,11 @@ TEST(ShadowField, HasTheCorrelationItPromises) {
   double near = 0;
   double far = 0;
   for (int i = 0; i < kFields; ++i) {
-    const ShadowField field(kLengthM, &random);
-    const double here = field.At({3.0, 4.0});
+    const ShadowField field = ShadowField::Planar(kLengthM, &random);
+    const double here = field.At({3.0, 4.0, 0.0});
     variance += here * here;
-    near += here * field.At({3.0 + kLengthM, 4.0});
-    far += here * field.At({3.0, 4.0 - 3.0 * kLengthM});
+    near += here * field.At({3.0 + kLengthM, 4.0, 0.0});
+    far += here * field.At({3.0, 4.0 - 3.0 * kLengthM, 0.0});
   }
   EXPECT_NEAR(variance / kFields, 1.0, 0.07);
   EXPECT_NEAR(near / kFields, std::exp(-1.0), 0.06);
@@ -57,20 +57,21 @@ TEST(ShadowField, HasTheCorrelationItPromises) {
 }
 
 TEST(OfficePlan, CountsTheWallsOfAStraightLine) {
-  const Plan plan = MakeOfficePlan();
-  EXPECT_EQ(CountWallsBetween(plan, {10.0, 6.2}, {20.0, 6.2}), 0);   // along a corridor
-  EXPECT_EQ(CountWallsBetween(plan, {10.0, 6.2}, {10.0, 4.0}), 1);   // into an office
-  EXPECT_EQ(CountWallsBetween(plan, {10.0, 6.2}, {10.0, 17.8}), 3);  // through two rooms between
-  EXPECT_EQ(CountWallsBetween(plan, {1.0, 2.0}, {43.0, 2.0}), 7);    // through all southern offices
+  const Plan plan = MakeSampleOffice();
+  EXPECT_EQ(CountWallsBetween(plan, 0, {10.0, 6.2}, {20.0, 6.2}), 0);   // along a corridor
+  EXPECT_EQ(CountWallsBetween(plan, 0, {10.0, 6.2}, {10.0, 4.0}), 1);   // into an office
+  EXPECT_EQ(CountWallsBetween(plan, 0, {10.0, 6.2}, {10.0, 17.8}), 3);  // through two rooms between
+  EXPECT_EQ(CountWallsBetween(plan, 0, {1.0, 2.0}, {43.0, 2.0}),
+            7);  // through all southern offices
 }
 
 TEST(OfficePlan, CorridorsRunBetweenTheRooms) {
-  const Plan plan = MakeOfficePlan();
+  const Plan plan = MakeSampleOffice();
   const Floor& floor = plan.building.floors.front();
-  for (const auto& [from, to] : plan.links) {
-    const Eigen::Vector2d a = plan.nodes[static_cast<std::size_t>(from)];
-    const Eigen::Vector2d b = plan.nodes[static_cast<std::size_t>(to)];
-    EXPECT_EQ(CountWallsBetween(plan, a, b), 0);
+  for (const WayLink& link : plan.links) {
+    const Eigen::Vector2d a = plan.Node(link.from).position_m;
+    const Eigen::Vector2d b = plan.Node(link.to).position_m;
+    EXPECT_EQ(CountWallsBetween(plan, 0, a, b), 0);
     EXPECT_FALSE(InsidePolygons(floor.obstacles, 0.5 * (a + b)));
   }
 }
