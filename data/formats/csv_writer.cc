@@ -152,7 +152,19 @@ void CsvWriter::WriteWaypoints(const Truth& truth) const {
   table.Write(folder_ / csv::kWaypointFile);
 }
 
+constexpr int kPathDecimals = 4;
+
 }  // namespace
+
+void WritePathCsv(const std::vector<PathPoint>& path, const std::string& file) {
+  CsvTable table(0, csv::kPathHeader);
+  for (const PathPoint& point : path) {
+    table.Text(std::to_string(point.time_ns));
+    for (const double component : point.position_m) table.Number(component, kPathDecimals);
+    table.Text(std::to_string(point.floor)).Number(point.heading_rad, kPathDecimals).EndRow();
+  }
+  table.Write(file);
+}
 
 void WriteCsvWalk(const Recording& recording, const Truth& truth, const CsvPrecision& precision,
                   const std::string& folder) {

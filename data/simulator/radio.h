@@ -34,9 +34,10 @@ std::vector<Sender> PlaceAccessPoints(const Plan& plan, const SimulationSettings
 std::vector<Sender> PlaceBeacons(const Plan& plan, const SimulationSettings& settings,
                                  Random* random);
 
-// The senders that are left when some have gone and others have got another power.
-std::vector<Sender> ChangeSenders(const std::vector<Sender>& senders,
-                                  const ChangeSettings& settings, Random random);
+// The senders when some have fallen silent and others have got another power. They keep their
+// places, so that the random numbers of a walk fall to the same ones.
+std::vector<Sender> ChangeSenders(std::vector<Sender> senders, const ChangeSettings& settings,
+                                  Random random);
 
 // COST 231: loss of `floors` floors between sender and phone, dB.
 double FloorLossDb(const PropagationSettings& settings, int floors);

@@ -96,19 +96,19 @@ std::vector<Sender> PlaceBeacons(const Plan& plan, const SimulationSettings& set
   return senders;
 }
 
-std::vector<Sender> ChangeSenders(const std::vector<Sender>& senders,
-                                  const ChangeSettings& settings, Random random) {
-  std::vector<Sender> left;
-  for (const Sender& sender : senders) {
+std::vector<Sender> ChangeSenders(std::vector<Sender> senders, const ChangeSettings& settings,
+                                  Random random) {
+  constexpr double kSilentDbm = -1000.0;
+  for (Sender& sender : senders) {
     const double lot = random.Uniform();
     const double change_db = random.Normal(0.0, settings.altered_sigma_db);
-    if (lot < settings.vanished_share) continue;
-    left.push_back(sender);
-    if (lot < settings.vanished_share + settings.altered_share) {
-      left.back().power_at_1m_dbm += change_db;
+    if (lot < settings.vanished_share) {
+      sender.power_at_1m_dbm = kSilentDbm;
+    } else if (lot < settings.vanished_share + settings.altered_share) {
+      sender.power_at_1m_dbm += change_db;
     }
   }
-  return left;
+  return senders;
 }
 
 double FloorLossDb(const PropagationSettings& settings, int floors) {
