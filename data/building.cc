@@ -92,6 +92,17 @@ Truth ToBuildingFrame(const Truth& truth, const Building& building) {
   return converted;
 }
 
+Truth ToWgs84(const Truth& truth, const Building& building) {
+  if (truth.frame == TruthFrame::kWgs84) return truth;
+  if (!building.origin) throw std::invalid_argument("the building has no geographic origin");
+  Truth converted = truth;
+  converted.frame = TruthFrame::kWgs84;
+  for (Waypoint& waypoint : converted.waypoints) {
+    waypoint.position = BuildingToWgs84(waypoint.position, *building.origin);
+  }
+  return converted;
+}
+
 bool InsidePolygons(const std::vector<Polygon>& rings, const Eigen::Vector2d& point) {
   bool inside = false;
   for (const Polygon& ring : rings) {

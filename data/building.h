@@ -74,7 +74,11 @@ Truth ToBuildingFrame(const Truth& truth, const Building& building);
 Eigen::Vector2d Wgs84ToBuilding(double latitude_deg, double longitude_deg,
                                 const GeoReference& origin);
 
-// The inverse: latitude and longitude in degrees of a point of the building frame.
+// The waypoints in degrees. Throws std::invalid_argument where the building has no origin.
+Truth ToWgs84(const Truth& truth, const Building& building);
+
+// The inverse of Wgs84ToBuilding(): latitude and longitude in degrees of a point of the building
+// frame.
 Eigen::Vector2d BuildingToWgs84(const Eigen::Vector2d& position, const GeoReference& origin);
 
 // Inside by the even-odd rule over all rings; points on an edge may fall on either side.

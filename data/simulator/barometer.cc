@@ -12,22 +12,25 @@ namespace walkgraph {
 namespace {
 
 // Streams of random numbers beside the main one, which pays for weather and white noise alone.
-enum RandomStream : std::uint64_t { kOffset, kDrift, kSteps, kWander };
+enum RandomStream : std::uint64_t { kOffset, kTrend, kDrift, kSteps, kWander };
 
 double PerHpa(PressureUnit unit) {
   if (unit == PressureUnit::kPa) return 100.0;
   return unit == PressureUnit::kKpa ? 0.1 : 1.0;
 }
 
-// Random walk of the weather, hPa.
+// Change of the weather since the beginning, hPa: a trend and a random walk.
 class Drift {
  public:
-  Drift(const BarometerSettings& settings, double dt_s, Random random)
-      : sigma_(settings.drift_hpa_per_sqrt_h * std::sqrt(dt_s / 3600.0)), random_(random) {}
+  Drift(const BarometerSettings& settings, double dt_s, Random trend_random, Random random)
+      : trend_(trend_random.Normal(0.0, settings.trend_sigma_hpa_per_h) * dt_s / 3600.0),
+        sigma_(settings.drift_hpa_per_sqrt_h * std::sqrt(dt_s / 3600.0)),
+        random_(random) {}
 
-  double Next() { return value_ += sigma_ * random_.Normal(); }
+  double Next() { return value_ += trend_ + sigma_ * random_.Normal(); }
 
  private:
+  double trend_;
   double sigma_;
   Random random_;
   double value_ = 0;
@@ -66,7 +69,7 @@ void SimulateBarometer(const std::vector<WalkState>& states, const BarometerSett
   const double dt_s = state_s * static_cast<double>(every);
   const double weather_hpa = random->Normal(settings.weather_hpa, settings.weather_sigma_hpa);
   const double offset_hpa = random->Fork(kOffset).Normal(0.0, settings.offset_sigma_hpa);
-  Drift drift(settings, dt_s, random->Fork(kDrift));
+  Drift drift(settings, dt_s, random->Fork(kTrend), random->Fork(kDrift));
   Steps steps(settings, dt_s, random->Fork(kSteps));
   Random wander_random = random->Fork(kWander);
   Wander wander(settings.wander_hpa, settings.wander_s, dt_s, &wander_random);

@@ -177,6 +177,41 @@ void Walker::WalkLeg(const Leg& leg, const Leg* next, double wait_s) {
   }
 }
 
+// Means of `get(state)` over a window of 2 half + 1 states, the first and last one repeated
+// outside.
+template <typename Value, typename Get>
+std::vector<Value> MovingMeans(const std::vector<WalkState>& states, std::ptrdiff_t half,
+                               const Get& get) {
+  const auto count = static_cast<std::ptrdiff_t>(states.size());
+  const auto at = [&](std::ptrdiff_t i) -> Value {
+    return get(states[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, count - 1))]);
+  };
+  // Sums of differences from the first value lose no digits on long walks.
+  const Value first = at(0);
+  Value sum = first - first;
+  for (std::ptrdiff_t i = -half; i <= half; ++i) sum += at(i) - first;
+  std::vector<Value> means;
+  means.reserve(states.size());
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    means.push_back(first + sum / static_cast<double>(2 * half + 1));
+    sum += at(i + half + 1) - at(i - half);
+  }
+  return means;
+}
+
+void SmoothOnce(std::ptrdiff_t half, std::vector<WalkState>* states) {
+  const auto place = [](const WalkState& state) {
+    return Eigen::Vector4d(state.position_m.x(), state.position_m.y(), state.height_m,
+                           state.heading_rad);
+  };
+  const std::vector<Eigen::Vector4d> means = MovingMeans<Eigen::Vector4d>(*states, half, place);
+  for (std::size_t i = 0; i < states->size(); ++i) {
+    (*states)[i].position_m = means[i].head<2>();
+    (*states)[i].height_m = means[i].z();
+    (*states)[i].heading_rad = means[i].w();
+  }
+}
+
 }  // namespace
 
 Gait RandomGait(const GaitSettings& settings, Random* random) {
@@ -212,6 +247,13 @@ double LiftRide::HeightAt(double time_s) const {
     return 0.5 * speed_mps_ * ramp_s_ + speed_mps_ * (time_s - ramp_s_);
   }
   return rise_m_ - RampHeight(duration_s() - time_s);
+}
+
+void SmoothPath(double window_s, std::vector<WalkState>* states) {
+  const double dt_s = SecondsBetween((*states)[0].time_ns, (*states)[1].time_ns);
+  const auto half = static_cast<std::ptrdiff_t>(std::lround(0.5 * window_s / dt_s));
+  SmoothOnce(half, states);
+  SmoothOnce(half, states);
 }
 
 std::vector<WalkState> WalkLegs(const std::vector<Leg>& legs, const Gait& gait,

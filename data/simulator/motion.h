@@ -76,6 +76,10 @@ std::vector<WalkState> WalkLegs(const std::vector<Leg>& legs, const Gait& gait,
                                 const SimulationSettings& settings, double wait_s, TimeNs begin_ns,
                                 TimeNs interval_ns, Random* random);
 
+// Gives a path the inertia of a body: positions, heights and headings are averaged over `window_s`,
+// twice, so that where straight lines and arcs meet no force becomes infinite.
+void SmoothPath(double window_s, std::vector<WalkState>* states);
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_DATA_SIMULATOR_MOTION_H_

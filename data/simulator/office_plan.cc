@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "data/formats/ilc20.h"
+
 namespace walkgraph {
 namespace {
 
@@ -240,12 +242,6 @@ void JoinFloors(const std::vector<FloorDoors>& floors, const GaitSettings& gait,
   DescribeConnectors(floors, plan);
 }
 
-// "B1" below the ground floor, "F1" for it, as ilc20 counts.
-std::string FloorName(int number) {
-  std::string name = number < 0 ? "B" : "F";
-  return name.append(std::to_string(number < 0 ? -number : number + 1));
-}
-
 Shape RandomShape(Random* random) {
   Shape shape;
   shape.width_m = std::round(random->Uniform(46.0, 60.0));
@@ -281,7 +277,7 @@ Plan MakeOffice(const BuildingSettings& settings, const GaitSettings& gait, Rand
   for (int i = 0; i < settings.floors; ++i) {
     Floor floor;
     floor.number = settings.lowest_floor + i;
-    floor.name = FloorName(floor.number);
+    floor.name = Ilc20FloorName(floor.number);
     floor.height_m = settings.floor_height_m * floor.number;
     AddFloor(shape, open, std::move(floor), &plan);
     const int number = settings.lowest_floor + i;

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 #include "data/formats/csv.h"
-#include "data/input_error.h"
+#include "data/formats/text_output.h"
 #include "data/simulator/barometer.h"
 #include "data/simulator/magnetic.h"
 #include "data/simulator/office_plan.h"
@@ -160,9 +159,7 @@ Sample MakeSample(std::uint64_t seed) {
 
 void SimulateSample(const std::string& out_dir, std::uint64_t seed) {
   namespace fs = std::filesystem;
-  std::error_code error;
-  fs::create_directories(out_dir, error);
-  if (error) throw InputError(out_dir, 0, error.message(), "a folder that can be made");
+  MakeFolder(out_dir);
   const Sample sample = MakeSample(seed);
   WriteBuildingJson(sample.building, (fs::path(out_dir) / "building.json").string());
   for (const SimulatedWalk& walk : sample.walks) {

@@ -44,6 +44,7 @@ SimulationSettings BaroOffset() {
   settings.barometer.weather_hpa = office.weather_hpa;
   settings.barometer.weather_sigma_hpa = office.weather_sigma_hpa;
   settings.barometer.offset_sigma_hpa = office.offset_sigma_hpa;
+  settings.barometer.trend_sigma_hpa_per_h = office.trend_sigma_hpa_per_h;
   settings.barometer.drift_hpa_per_sqrt_h = office.drift_hpa_per_sqrt_h;
   return settings;
 }
@@ -71,6 +72,7 @@ void QuietAir(BarometerSettings* barometer) {
   barometer->weather_hpa = kStandardPressureHpa;
   barometer->weather_sigma_hpa = 0;
   barometer->offset_sigma_hpa = 0;
+  barometer->trend_sigma_hpa_per_h = 0;
   barometer->drift_hpa_per_sqrt_h = 0;
   barometer->steps_per_hour = 0;
   barometer->wander_hpa = 0;
@@ -99,6 +101,7 @@ SimulationSettings SampleSettings() {
   settings.wifi.refresh_gain = 0;
   settings.wifi.shortest_sweep_s = 2.2;
   settings.wifi.longest_sweep_s = 3.8;
+  settings.wifi.keep_s = 15;
   settings.wifi.latency_s = 0;
   settings.wifi.device_offset_sigma_db = 0;
   settings.beacon.enabled = false;

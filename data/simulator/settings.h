@@ -130,8 +130,11 @@ struct BarometerSettings {
   double weather_sigma_hpa = 3.0;                 // ipin2023: 4 hPa between two days
   // Bosch BMP280: absolute accuracy 1 hPa; ipin2023: 0.4-0.5 hPa between two phones.
   double offset_sigma_hpa = 0.35;
-  // Random walk of the weather. Three hours' tendencies of 1-2 hPa are ordinary (WMO No. 8).
-  double drift_hpa_per_sqrt_h = 0.7;
+  // Weather: three hours' tendencies of 1-2 hPa are ordinary (WMO No. 8). Faster than that,
+  // measured on ipin2023 on one floor: 1 s means differ by 0.022 hPa after 10 s, by 0.033 hPa after
+  // 60 s.
+  double trend_sigma_hpa_per_h = 0.5;
+  double drift_hpa_per_sqrt_h = 0.2;
   double steps_per_hour = 6.0;   // doors and ventilation: pressure steps that stay a while
   double step_sigma_hpa = 0.08;  // stack and fan pressures of 5-20 Pa (ASHRAE Fundamentals, ch. 16)
   double step_length_s = 20.0;   // mean time for which one stays
@@ -166,7 +169,7 @@ struct PropagationSettings {
 
 struct WifiSettings {
   bool enabled = true;
-  int per_floor = 25;
+  int per_floor = 40;
   // The access point radiates 17 dBm (ETSI EN 300 328 allows 20), free space takes 40 dB to 1 m at
   // 2.4 GHz, hand and phone another 8 dB.
   double power_at_1m_dbm = -34.0;
@@ -180,10 +183,11 @@ struct WifiSettings {
   double refresh_middle_dbm = -75.0075;
   double refresh_width_db = 1.8464;
   // Measured sweep intervals: ilc20 1.97 s (5 to 95 %: 1.9-3.0), ipin2023 2.0 and 4.0 s. What has
-  // not been heard again is printed for 15 s more; measured on ilc20: 43 % of the rows are repeats.
+  // not been heard again is printed for some time more; measured on ilc20: 43 % of the rows are
+  // repeats, and with TCPF's refresh rate 9 s make that many.
   double shortest_sweep_s = 1.9;
   double longest_sweep_s = 3.0;
-  double keep_s = 15.0;
+  double keep_s = 9.0;
   double run_up_s = 8.0;   // sweeps run before the recording does
   double latency_s = 0.8;  // readings are stamped so long before they were heard, as on ilc20
   double device_offset_sigma_db = 3.0;  // Laoudias et al. (IPIN 2012): phones differ by 3-10 dB
@@ -192,7 +196,7 @@ struct WifiSettings {
 struct BeaconSettings {
   bool enabled = true;
   int per_floor = 8;
-  double power_at_1m_dbm = -62.0;  // iBeacons are calibrated to -59; hand and phone take some
+  double power_at_1m_dbm = -59.0;  // what iBeacons are calibrated to
   double power_sigma_db = 2.0;
   double interval_s = 0.25;      // measured on ipin2023: median 0.25 s
   double loss = 0.2;             // of advertisements while the phone's radio does other things

@@ -106,6 +106,8 @@ void Visit(Visitor& v, BarometerSettings& s) {
   v.Field("weather_hpa", s.weather_hpa, "pressure at the frame's zero, mean over days, hPa");
   v.Field("weather_sigma_hpa", s.weather_sigma_hpa, "its spread over walks, hPa");
   v.Field("offset_sigma_hpa", s.offset_sigma_hpa, "of the sensor, over phones, hPa");
+  v.Field("trend_sigma_hpa_per_h", s.trend_sigma_hpa_per_h,
+          "rise or fall of the weather, over walks, hPa/h");
   v.Field("drift_hpa_per_sqrt_h", s.drift_hpa_per_sqrt_h,
           "random walk of the weather, hPa per square root of hours");
   v.Field("steps_per_hour", s.steps_per_hour,

@@ -43,6 +43,7 @@ constexpr TimeNs kFirstBeginNs = 10 * kNsPerSecond;
 constexpr TimeNs kBetweenBeginsNs = 2LL * 3600 * kNsPerSecond;
 // The first waypoint lies that long before the first step.
 constexpr double kBeforeFirstStepS = 0.5;
+constexpr double kBodyInertiaS = 0.3;  // a quarter of a stride: what a body can change its way in
 
 Plan MakePlan(const SimulationSettings& settings, Random random) {
   Plan plan = settings.building.kind == BuildingKind::kHall
@@ -114,6 +115,7 @@ SimulatedWalk Simulation::MakeWalk(int index) const {
   const TimeNs begin_ns = kFirstBeginNs + index * kBetweenBeginsNs;
   walk.path = WalkLegs(legs, gait, settings_, wait_s, begin_ns, IntervalNs(settings_.walks.rate_hz),
                        &motion);
+  SmoothPath(kBodyInertiaS, &walk.path);
   walk.truth = MakeTruth(plan_, legs, walk.path, begin_ns + DurationNs(wait_s - kBeforeFirstStepS),
                          settings_.walks.waypoint_every_s);
   walk.recording.id = walk.name;
