@@ -85,6 +85,10 @@ Connector ReadConnector(const json& source) {
   for (const json& stop : source.at("stops")) {
     connector.stops.push_back({stop.at("floor").get<int>(), ReadPoint(stop.at("position"))});
   }
+  if (connector.stops.size() < 2) {
+    throw json::other_error::create(0, "connector '" + connector.name + "' joins no floors",
+                                    nullptr);
+  }
   std::stable_sort(
       connector.stops.begin(), connector.stops.end(),
       [](const ConnectorStop& a, const ConnectorStop& b) { return a.floor < b.floor; });

@@ -14,6 +14,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr int kSensorDecimals = 6;
+constexpr int kQuaternionDecimals = 8;  // the fourth number follows from the other three
 constexpr int kWaypointDecimals = 4;
 constexpr char kAccuracy[] = "3";       // Android's "high"
 constexpr char kChannelMhz[] = "2437";  // of channel 6: a simulator knows none
@@ -37,7 +38,7 @@ void AddRotations(const Stream<Eigen::Quaterniond>& stream, TimedLines* lines) {
     const double sign = stream.value[i].w() < 0 ? -1.0 : 1.0;
     TextRow row = Row(stream.time_ns[i], "TYPE_ROTATION_VECTOR");
     for (const double component : stream.value[i].vec()) {
-      row.Number(sign * component, kSensorDecimals);
+      row.Number(sign * component, kQuaternionDecimals);
     }
     lines->Add(stream.time_ns[i], row.Text(kAccuracy));
   }

@@ -24,6 +24,7 @@ enum PlaceStream : std::uint64_t {
   kAccessPoints,
   kBeacons,
   kChange,
+  kStarts,
   kFirstWalk = 1000
 };
 enum WalkStream : std::uint64_t {
@@ -43,7 +44,7 @@ constexpr TimeNs kFirstBeginNs = 10 * kNsPerSecond;
 constexpr TimeNs kBetweenBeginsNs = 2LL * 3600 * kNsPerSecond;
 // The first waypoint lies that long before the first step.
 constexpr double kBeforeFirstStepS = 0.5;
-constexpr double kBodyInertiaS = 0.3;  // a quarter of a stride: what a body can change its way in
+constexpr double kBodyInertiaS = 0.4;  // a third of a stride: what a body can change its way in
 
 Plan MakePlan(const SimulationSettings& settings, Random random) {
   Plan plan = settings.building.kind == BuildingKind::kHall
@@ -58,6 +59,14 @@ std::string WalkName(bool survey, int number) {
   char name[32];
   std::snprintf(name, sizeof(name), "%s/walk_%02d", survey ? "survey" : "test", number);
   return name;
+}
+
+std::vector<int> Shuffled(std::vector<int> values, Random random) {
+  for (int left = static_cast<int>(values.size()); left > 1; --left) {
+    std::swap(values[static_cast<std::size_t>(left - 1)],
+              values[static_cast<std::size_t>(random.Index(left))]);
+  }
+  return values;
 }
 
 // Times of writers are whole milliseconds.
@@ -91,6 +100,7 @@ Simulation::Simulation(const SimulationSettings& settings, std::uint64_t seed, P
     std::vector<Sender> placed = PlaceBeacons(plan_, settings_, &beacons);
     std::move(placed.begin(), placed.end(), std::back_inserter(survey_senders_));
   }
+  starts_ = Shuffled(CorridorLinks(plan_), random_.Fork(kStarts));
   test_senders_ = ChangeSenders(survey_senders_, settings_.change, random_.Fork(kChange));
 }
 
@@ -106,10 +116,11 @@ SimulatedWalk Simulation::MakeWalk(int index) const {
   Random motion = random.Fork(kMotion);
   Random tour = random.Fork(kTour);
   const Gait gait = RandomGait(settings_.gait, &motion);
-  const std::vector<int> starts = CorridorLinks(plan_);
-  const auto start = static_cast<std::size_t>(index) % starts.size();  // begin everywhere
+  const int start =
+      survey ? starts_[static_cast<std::size_t>(index) % starts_.size()]
+             : starts_[static_cast<std::size_t>(tour.Index(static_cast<int>(starts_.size())))];
   const std::vector<Leg> legs =
-      RandomTour(plan_, starts[start], gait, settings_, settings_.walks.duration_s, &tour);
+      RandomTour(plan_, start, gait, settings_, settings_.walks.duration_s, &tour);
   const double wait_s =
       std::max(kStandAtEndsS, settings_.walks.handling_s + settings_.walks.stand_after_handling_s);
   const TimeNs begin_ns = kFirstBeginNs + index * kBetweenBeginsNs;

@@ -46,6 +46,7 @@ class Simulation {
   Random random_;
   Plan plan_;
   MagneticField field_;
+  std::vector<int> starts_;  // links in the order in which survey walks begin on them
   std::vector<Sender> survey_senders_;
   std::vector<Sender> test_senders_;
 };
