@@ -181,7 +181,7 @@ TruthFrame CsvReader::ReadWaypoints() {
 nlohmann::json ReadWalkJson(const std::string& folder) {
   const std::string path = (fs::path(folder) / csv::kWalkFile).string();
   if (!fs::is_regular_file(path)) return nlohmann::json::object();
-  const auto document = nlohmann::json::parse(ReadFileBytes(path), nullptr, false);
+  auto document = nlohmann::json::parse(ReadFileBytes(path), nullptr, false);
   if (!document.is_object()) throw InputError(path, 0, "malformed JSON", "an object");
   return document;
 }

@@ -7,10 +7,10 @@
 namespace walkgraph {
 namespace {
 
-// Measured on ipin2023, seconds 5 to 35: rates of 1-3 rad/s about all axes, accelerations that
-// deviate by 1-3 m/s^2 from gravity, at half a turn to one and a half a second.
-constexpr double kAngleRad = 0.6;
-constexpr double kAccelerationMps2 = 1.5;
+// Measured on ipin2023, seconds 5 to 35: 3.0 rad/s (root mean square) about each axis, and a norm
+// of the specific force that deviates by 3.7 m/s^2.
+constexpr double kAngleRad = 0.9;
+constexpr double kAccelerationMps2 = 5.0;
 constexpr double kSlowestHz = 0.5;
 constexpr double kFastestHz = 1.0;
 constexpr double kFadeS = 1.0;

@@ -37,15 +37,23 @@ void PrintScan(TimeNs printed_ns, const std::map<std::size_t, Heard>& memory, do
       [](const auto& a, const auto& b) { return a.second.rssi_dbm > b.second.rssi_dbm; });
 }
 
-// Adds the rows, and each sender that is heard as a transmitter.
+TimeNs WholeMilliseconds(TimeNs time_ns) {
+  const TimeNs rest_ns = time_ns % kNsPerMs;
+  return time_ns - rest_ns - (rest_ns < 0 ? kNsPerMs : 0);
+}
+
+// Adds the rows, and each sender that is heard as a transmitter. Phones stamp in whole
+// milliseconds.
 void AddRows(const std::vector<Sender>& senders, const SenderRows& rows, Recording* recording) {
   std::map<std::size_t, std::uint32_t> transmitter;
   for (const auto& [sender, row] : rows) {
     const auto [found, is_new] =
         transmitter.try_emplace(sender, static_cast<std::uint32_t>(recording->transmitters.size()));
     if (is_new) recording->transmitters.push_back({senders[sender].radio, senders[sender].name});
-    recording->radio_rows.push_back(row);
-    recording->radio_rows.back().transmitter = found->second;
+    RadioRow& added = recording->radio_rows.emplace_back(row);
+    added.transmitter = found->second;
+    added.printed_ns = WholeMilliseconds(added.printed_ns);
+    added.heard_ns = WholeMilliseconds(added.heard_ns);
   }
 }
 

@@ -32,8 +32,7 @@ SimulationSettings HeadingOffset() {
 
 SimulationSettings StepScale() {
   SimulationSettings settings = CleanSettings();
-  // K and the rest of a step's swing differ by some 10 % between persons (Vezocnik and Juric, IEEE
-  // Sensors J. 19, 2019): more than the office's few percent, to be seen alone.
+  // More than the office's few percent, to be seen alone.
   settings.gait.weinberg_k_sigma = 0.1 * settings.gait.weinberg_k;
   return settings;
 }
