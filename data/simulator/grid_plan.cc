@@ -147,13 +147,16 @@ class WayGrid {
   std::vector<bool> free_;
 };
 
-int NearestNode(const Plan& plan, int floor, const Eigen::Vector2d& position) {
+// The nearest of the first `count` nodes that a connector there can be entered from; -1 where its
+// floor has none. What lies on the spot itself is no way to it.
+int NearestNode(const Plan& plan, int count, int floor, const Eigen::Vector2d& position) {
+  constexpr double kEntranceM = 0.5;
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < static_cast<int>(plan.nodes.size()); ++i) {
+  for (int i = 0; i < count; ++i) {
     const WayNode& node = plan.Node(i);
     const double distance = (node.position_m - position).norm();
-    if (node.floor != floor || distance >= least) continue;
+    if (node.floor != floor || distance < kEntranceM || distance >= least) continue;
     least = distance;
     nearest = i;
   }
@@ -176,11 +179,12 @@ std::vector<WayPoint> RampBends(const WayPoint& foot, const WayPoint& top,
           {begin + beside, top.height_m}};
 }
 
-void AddConnector(const Connector& connector, const GaitSettings& gait, Plan* plan,
+// `count` is the number of nodes on the floors' grids.
+void AddConnector(const Connector& connector, int count, const GaitSettings& gait, Plan* plan,
                   const std::string& path) {
   std::vector<std::pair<int, WayPoint>> stops;  // node that each is reached from
   for (const ConnectorStop& stop : connector.stops) {
-    const int node = NearestNode(*plan, stop.floor, stop.position);
+    const int node = NearestNode(*plan, count, stop.floor, stop.position);
     if (node < 0) {
       throw InputError(path, 0,
                        "connector '" + connector.name + "' stops on floor " +
@@ -224,7 +228,9 @@ Plan MakeHall(const BuildingSettings& settings) {
   plan.building.name = "simulated hall";
   plan.building.floors.push_back(floor);
   const WayGrid grid(plan.building.floors.front(), plan.walls, settings.grid_spacing_m);
-  grid.AddTo(&plan);
+  if (grid.AddTo(&plan) < 2) {
+    throw InputError("hall", 0, "no room for ways", "a smaller building.grid_spacing_m");
+  }
   plan.scatter_m = 0.35 * settings.grid_spacing_m;
   return plan;
 }
@@ -245,8 +251,9 @@ Plan MakeGivenPlan(const Building& building, const BuildingSettings& settings,
                            " m, or a smaller building.grid_spacing_m");
     }
   }
+  const int count = static_cast<int>(plan.nodes.size());
   for (const Connector& connector : building.connectors) {
-    AddConnector(connector, gait, &plan, path);
+    AddConnector(connector, count, gait, &plan, path);
   }
   return plan;
 }

@@ -10,7 +10,8 @@
 namespace walkgraph {
 
 // The open hall of DSFF: one floor of 18 m by 36 m without walls inside. People walk at random:
-// from node to node of a grid, scattered around them.
+// from node to node of a grid, scattered around them. Throws InputError where its spacing is too
+// wide.
 Plan MakeHall(const BuildingSettings& settings);
 
 // A building as a file describes it. Walls are the edges of its outlines and obstacles; ways run

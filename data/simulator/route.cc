@@ -23,6 +23,26 @@ double TurnBetween(const Eigen::Vector2d& in, const Eigen::Vector2d& out) {
   return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
 }
 
+// The arc that replaces a corner.
+struct CornerArc {
+  double turn_rad = 0;
+  double radius_m = 0;
+  double cut_m = 0;  // from where the arc begins to the corner; 0 where nothing is cut
+  double length_m = 0;
+};
+
+// `room_m` is how much of either leg the arc may take.
+CornerArc FitArc(const Eigen::Vector2d& leg, const Eigen::Vector2d& next_leg, double room_m) {
+  CornerArc arc;
+  arc.turn_rad = TurnBetween(leg, next_leg);
+  if (std::abs(arc.turn_rad) <= kSharpestCutRad) return arc;
+  const double tangent = std::tan(0.5 * std::abs(arc.turn_rad));
+  arc.radius_m = std::min(kCornerRadiusM, room_m / tangent);
+  arc.cut_m = arc.radius_m * tangent;
+  arc.length_m = arc.radius_m * std::abs(arc.turn_rad);
+  return arc;
+}
+
 double SmoothStep(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -43,8 +63,7 @@ Route::Route(const std::vector<RouteCorner>& corners, RouteJoints joints, Random
 void Route::CutCorners(const std::vector<RouteCorner>& corners) {
   Piece line;
   line.start_m = corners.front().position_m;
-  marks_.push_back({0.0, corners.front().height_m, corners.front().kind});
-  height_integral_.push_back(0.0);
+  AddMark({0.0, corners.front().height_m, corners.front().kind});
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const Eigen::Vector2d corner = corners[i].position_m;
     const Eigen::Vector2d leg = corner - corners[i - 1].position_m;
@@ -52,33 +71,34 @@ void Route::CutCorners(const std::vector<RouteCorner>& corners) {
     pieces_.push_back(line);
     const bool last = i + 1 == corners.size();
     const Eigen::Vector2d next_leg = last ? leg : corners[i + 1].position_m - corner;
-    const double turn = TurnBetween(line.direction, next_leg);
-    const bool cut = std::abs(turn) > kSharpestCutRad;
     // Two corners share the leg between them; its ends need no room.
     const double room_m = std::min((i == 1 ? 1.0 : 0.5) * leg.norm(),
                                    (i + 2 >= corners.size() ? 1.0 : 0.5) * next_leg.norm());
-    const double tangent = std::tan(0.5 * std::abs(turn));
-    const double radius_m = std::min(kCornerRadiusM, room_m / std::max(tangent, kSharpestCutRad));
-    const double cut_m = cut ? radius_m * tangent : 0.0;
-    const double arc_m = cut ? radius_m * std::abs(turn) : 0.0;
-    const Eigen::Vector2d end = corner - cut_m * line.direction;
+    const CornerArc arc = FitArc(line.direction, next_leg, room_m);
+    const Eigen::Vector2d end = corner - arc.cut_m * line.direction;
     line.begin_m += (end - line.start_m).norm();
     line.start_m = end;
-    const Mark mark = {line.begin_m + 0.5 * arc_m, corners[i].height_m, corners[i].kind};
-    height_integral_.push_back(height_integral_.back() +
-                               0.5 * (mark.distance_m - marks_.back().distance_m) *
-                                   (mark.height_m + marks_.back().height_m));
-    marks_.push_back(mark);
-    if (!cut) continue;
-    // An arc from one tangent's length before the corner to one behind it.
-    Piece arc = line;
-    arc.curvature = std::copysign(1.0 / radius_m, turn);
-    pieces_.push_back(arc);
-    turns_m_.push_back(mark.distance_m);
-    line.begin_m += arc_m;
-    line.start_m = corner + cut_m * next_leg.normalized();
+    AddMark({line.begin_m + 0.5 * arc.length_m, corners[i].height_m, corners[i].kind});
+    if (arc.cut_m == 0.0) continue;
+    Piece bend = line;
+    bend.curvature = std::copysign(1.0 / arc.radius_m, arc.turn_rad);
+    pieces_.push_back(bend);
+    turns_m_.push_back(marks_.back().distance_m);
+    line.begin_m += arc.length_m;
+    line.start_m = corner + arc.cut_m * next_leg.normalized();
   }
   length_m_ = line.begin_m;
+}
+
+void Route::AddMark(const Mark& mark) {
+  double integral = 0;
+  if (!marks_.empty()) {
+    const Mark& last = marks_.back();
+    integral = height_integral_.back() +
+               0.5 * (mark.distance_m - last.distance_m) * (mark.height_m + last.height_m);
+  }
+  marks_.push_back(mark);
+  height_integral_.push_back(integral);
 }
 
 const Route::Piece& Route::PieceAt(double distance_m) const {

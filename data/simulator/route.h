@@ -70,6 +70,7 @@ class Route {
   };
 
   void CutCorners(const std::vector<RouteCorner>& corners);
+  void AddMark(const Mark& mark);
   const Piece& PieceAt(double distance_m) const;
   // The first mark that does not lie before a distance; the last one behind the end.
   std::size_t MarkAfter(double distance_m) const;

@@ -103,9 +103,9 @@ int RunSimulate(const CommandLine& line) {
   const Simulation simulation =
       FLAGS_plan.empty() ? Simulation(settings, seed) : Simulation(settings, seed, FLAGS_plan);
   WriteSimulation(simulation, format, FLAGS_out);
-  WriteFileWhole(FLAGS_out + "/simulation.yaml",
-                 "# scenario " + FLAGS_scenario + ", seed " + std::to_string(FLAGS_seed) + "\n" +
-                     PrintSimulationSettings(settings));
+  WriteFileWhole(FLAGS_out + "/simulation.yaml", "# scenario " + FLAGS_scenario + ", seed " +
+                                                     std::to_string(FLAGS_seed) + "\n" +
+                                                     PrintSimulationSettings(settings));
   std::printf("%s: building.json, simulation.yaml, survey/ (%d walks) and test/ (%d walks)\n",
               FLAGS_out.c_str(), settings.walks.survey, settings.walks.test);
   return kExitOk;

@@ -105,9 +105,10 @@ std::string PrintSimulationSettings(const SimulationSettings& settings) {
       group = key.name.substr(0, dot);
       text += group + ":\n";
     }
-    std::string line = "  " + key.name.substr(dot + 1) + ": " + FormatValue(key);
+    std::string line = "  ";
+    line.append(key.name.substr(dot + 1)).append(": ").append(FormatValue(key));
     line.resize(std::max(line.size() + 2, kDocumentationColumn), ' ');
-    text += line + "# " + key.documentation + "\n";
+    text.append(line).append("# ").append(key.documentation).append("\n");
   }
   return text;
 }

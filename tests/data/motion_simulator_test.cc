@@ -29,7 +29,8 @@ TEST(LiftRide, RisesWithinItsLimits) {
     constexpr double kDt = 1e-3;
     double fastest = 0;
     double hardest = 0;
-    for (double time = kDt; time < ride.duration_s(); time += kDt) {
+    for (int k = 1; k < static_cast<int>(ride.duration_s() / kDt); ++k) {
+      const double time = k * kDt;
       const double before = ride.HeightAt(time - kDt);
       const double here = ride.HeightAt(time);
       const double after = ride.HeightAt(time + kDt);
@@ -56,7 +57,8 @@ TEST(Route, HasTheHeightsOfItsCornersAndRoundsTheirEdges) {
   EXPECT_EQ(route.KindAt(5.1), WayKind::kStairs);
   EXPECT_EQ(route.KindAt(11.5), WayKind::kCorridor);
   double steepest = 0;
-  for (double d = 0; d < 16; d += 0.01) {
+  for (int k = 0; k < 1600; ++k) {
+    const double d = 0.01 * k;
     steepest = std::max(steepest, (route.HeightAt(d + 0.01) - route.HeightAt(d)) / 0.01);
   }
   EXPECT_NEAR(steepest, 0.5, 1e-6);
