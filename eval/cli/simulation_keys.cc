@@ -82,16 +82,19 @@ std::vector<ConfigKey> SimulationKeys(SimulationSettings* settings) {
 
 void AssignSimulationKey(const std::string& key, const std::string& value, const std::string& flag,
                          SimulationSettings* settings) {
-  std::vector<std::string> names;
-  for (const ConfigKey& known : SimulationKeys(settings)) {
-    names.push_back(known.name);
-    if (known.name != key) continue;
-    const std::string expected = AssignValue(known, value);
-    if (expected.empty()) return;
+  const std::vector<ConfigKey> keys = SimulationKeys(settings);
+  const auto found = std::find_if(keys.begin(), keys.end(),
+                                  [&key](const ConfigKey& known) { return known.name == key; });
+  if (found == keys.end()) {
+    std::vector<std::string> names;
+    for (const ConfigKey& known : keys) names.push_back(known.name);
+    throw UsageError(flag + ": unknown key \"" + key + "\"" + DidYouMean(key, names) +
+                     ", expected one that simulation.yaml of any simulation lists");
+  }
+  const std::string expected = AssignValue(*found, value);
+  if (!expected.empty()) {
     throw UsageError(flag + ": " + key + " is " + value + ", expected " + expected);
   }
-  throw UsageError(flag + ": unknown key \"" + key + "\"" + DidYouMean(key, names) +
-                   ", expected one that simulation.yaml of any simulation lists");
 }
 
 std::string PrintSimulationSettings(const SimulationSettings& settings) {
