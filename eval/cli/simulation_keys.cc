@@ -87,6 +87,7 @@ void AssignSimulationKey(const std::string& key, const std::string& value, const
                                   [&key](const ConfigKey& known) { return known.name == key; });
   if (found == keys.end()) {
     std::vector<std::string> names;
+    names.reserve(keys.size());
     for (const ConfigKey& known : keys) names.push_back(known.name);
     throw UsageError(flag + ": unknown key \"" + key + "\"" + DidYouMean(key, names) +
                      ", expected one that simulation.yaml of any simulation lists");
