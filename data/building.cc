@@ -60,6 +60,24 @@ Eigen::Vector2d Wgs84ToBuilding(double latitude_deg, double longitude_deg,
   return {c * e + s * n, -s * e + c * n};
 }
 
+Eigen::Vector2d BuildingToWgs84(const Eigen::Vector2d& position, const GeoReference& origin) {
+  const double latitude = DegreesToRadians(origin.latitude_deg);
+  const double squared = 1.0 - kEccentricitySquared * std::sin(latitude) * std::sin(latitude);
+  const double east_radius = kSemiMajorAxisM / std::sqrt(squared);  // of the prime vertical
+  const double north_radius = east_radius * (1.0 - kEccentricitySquared) / squared;
+  const double c = std::cos(origin.rotation_rad);
+  const double s = std::sin(origin.rotation_rad);
+  Eigen::Vector2d degrees(origin.latitude_deg, origin.longitude_deg);
+  // Fixed-point iterations on the forward formula: each gains some four digits on a kilometre.
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    const Eigen::Vector2d left = position - Wgs84ToBuilding(degrees.x(), degrees.y(), origin);
+    const Eigen::Vector2d east_north(c * left.x() - s * left.y(), s * left.x() + c * left.y());
+    degrees.x() += RadiansToDegrees(east_north.y() / north_radius);
+    degrees.y() += RadiansToDegrees(east_north.x() / (east_radius * std::cos(latitude)));
+  }
+  return degrees;
+}
+
 Truth ToBuildingFrame(const Truth& truth, const Building& building) {
   if (truth.frame == TruthFrame::kBuilding) return truth;
   if (!building.origin) {
@@ -70,6 +88,17 @@ Truth ToBuildingFrame(const Truth& truth, const Building& building) {
   for (Waypoint& waypoint : converted.waypoints) {
     waypoint.position =
         Wgs84ToBuilding(waypoint.position.x(), waypoint.position.y(), *building.origin);
+  }
+  return converted;
+}
+
+Truth ToWgs84(const Truth& truth, const Building& building) {
+  if (truth.frame == TruthFrame::kWgs84) return truth;
+  if (!building.origin) throw std::invalid_argument("the building has no geographic origin");
+  Truth converted = truth;
+  converted.frame = TruthFrame::kWgs84;
+  for (Waypoint& waypoint : converted.waypoints) {
+    waypoint.position = BuildingToWgs84(waypoint.position, *building.origin);
   }
   return converted;
 }

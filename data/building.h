@@ -2,6 +2,7 @@
 #define WALKGRAPH_DATA_BUILDING_H_
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,9 +39,27 @@ struct GeoReference {
   double rotation_rad = 0;
 };
 
+enum class ConnectorKind : std::uint8_t { kStairs, kLift, kEscalator };
+
+// Where a connector is entered from a floor.
+struct ConnectorStop {
+  int floor = 0;
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // building frame
+};
+
+// A place where a person changes floors: stairs, a lift or an escalator. Height moves near the line
+// through its stops, and nowhere else on a level.
+struct Connector {
+  std::string name;
+  ConnectorKind kind = ConnectorKind::kStairs;
+  std::vector<ConnectorStop> stops;  // two or more, by increasing floor
+  double radius_m = 3.0;             // how far from that line: half a stairwell
+};
+
 struct Building {
   std::string name;
-  std::vector<Floor> floors;  // by increasing number
+  std::vector<Floor> floors;          // by increasing number
+  std::vector<Connector> connectors;  // empty: not known
   std::optional<GeoReference> origin;
 
   const Floor* FindFloor(int number) const;
@@ -54,6 +73,13 @@ Truth ToBuildingFrame(const Truth& truth, const Building& building);
 // Metres east/north of the origin, turned into the building frame, for a WGS84 point in degrees.
 Eigen::Vector2d Wgs84ToBuilding(double latitude_deg, double longitude_deg,
                                 const GeoReference& origin);
+
+// The waypoints in degrees. Throws std::invalid_argument where the building has no origin.
+Truth ToWgs84(const Truth& truth, const Building& building);
+
+// The inverse of Wgs84ToBuilding(): latitude and longitude in degrees of a point of the building
+// frame.
+Eigen::Vector2d BuildingToWgs84(const Eigen::Vector2d& position, const GeoReference& origin);
 
 // Inside by the even-odd rule over all rings; points on an edge may fall on either side.
 bool InsidePolygons(const std::vector<Polygon>& rings, const Eigen::Vector2d& point);

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "data/angle.h"
 #include "data/formats/csv.h"
@@ -64,12 +67,45 @@ Floor ReadFloor(const json& source, const fs::path& folder) {
   return floor;
 }
 
+constexpr std::array<std::string_view, 3> kConnectorKinds = {"stairs", "lift", "escalator"};
+
+ConnectorKind ReadConnectorKind(const std::string& name) {
+  const auto* const found = std::find(kConnectorKinds.begin(), kConnectorKinds.end(), name);
+  if (found == kConnectorKinds.end()) {
+    throw json::other_error::create(0, "connector kind '" + name + "'", nullptr);
+  }
+  return static_cast<ConnectorKind>(found - kConnectorKinds.begin());
+}
+
+Connector ReadConnector(const json& source) {
+  Connector connector;
+  connector.name = source.value("name", "");
+  connector.kind = ReadConnectorKind(source.at("kind").get<std::string>());
+  connector.radius_m = source.value("radius_m", connector.radius_m);
+  for (const json& stop : source.at("stops")) {
+    connector.stops.push_back({stop.at("floor").get<int>(), ReadPoint(stop.at("position"))});
+  }
+  if (connector.stops.size() < 2) {
+    throw json::other_error::create(0, "connector '" + connector.name + "' joins no floors",
+                                    nullptr);
+  }
+  std::stable_sort(
+      connector.stops.begin(), connector.stops.end(),
+      [](const ConnectorStop& a, const ConnectorStop& b) { return a.floor < b.floor; });
+  return connector;
+}
+
 Building ReadBuilding(const json& source, const fs::path& folder) {
   Building building;
   building.name = source.value("name", "");
   for (const json& floor : source.at("floors")) building.floors.push_back(ReadFloor(floor, folder));
   std::sort(building.floors.begin(), building.floors.end(),
             [](const Floor& a, const Floor& b) { return a.number < b.number; });
+  if (const auto connectors = source.find("connectors"); connectors != source.end()) {
+    for (const json& connector : *connectors) {
+      building.connectors.push_back(ReadConnector(connector));
+    }
+  }
   if (const auto origin = source.find("origin"); origin != source.end()) {
     building.origin = {origin->at("latitude_deg").get<double>(),
                        origin->at("longitude_deg").get<double>(),
@@ -106,6 +142,17 @@ json FloorJson(const Floor& floor, const fs::path& folder) {
   return result;
 }
 
+json ConnectorJson(const Connector& connector) {
+  json result = {{"name", connector.name},
+                 {"kind", kConnectorKinds[static_cast<std::size_t>(connector.kind)]},
+                 {"radius_m", connector.radius_m},
+                 {"stops", json::array()}};
+  for (const ConnectorStop& stop : connector.stops) {
+    result["stops"].push_back({{"floor", stop.floor}, {"position", PointJson(stop.position)}});
+  }
+  return result;
+}
+
 }  // namespace
 
 Building ReadBuildingJson(const std::string& path) {
@@ -122,6 +169,9 @@ void WriteBuildingJson(const Building& building, const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   for (const Floor& floor : building.floors) {
     document["floors"].push_back(FloorJson(floor, folder));
+  }
+  for (const Connector& connector : building.connectors) {
+    document["connectors"].push_back(ConnectorJson(connector));
   }
   if (building.origin) {
     document["origin"] = {{"latitude_deg", building.origin->latitude_deg},

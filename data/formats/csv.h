@@ -1,11 +1,14 @@
 #ifndef WALKGRAPH_DATA_FORMATS_CSV_H_
 #define WALKGRAPH_DATA_FORMATS_CSV_H_
 
+#include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "data/building.h"
 #include "data/dataset.h"
 #include "data/recording.h"
+#include "data/time.h"
 #include "data/truth.h"
 
 // walkgraph's own format, described in data/formats/README.md: a folder per walk with a CSV file
@@ -39,6 +42,18 @@ struct CsvPrecision {
 // Throws InputError where a file cannot be written.
 void WriteCsvWalk(const Recording& recording, const Truth& truth, const CsvPrecision& precision,
                   const std::string& folder);
+
+// Where a person exactly was at one time: what only a simulator knows.
+struct PathPoint {
+  TimeNs time_ns = 0;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // building frame; z of the feet
+  int floor = 0;                                         // the nearest one
+  double heading_rad = 0;  // of walking, counter-clockwise from +x, unwrapped
+};
+
+// path.csv, a row per point. Readers of recordings leave it alone. Both throw InputError.
+void WritePathCsv(const std::vector<PathPoint>& path, const std::string& file);
+std::vector<PathPoint> ReadPathCsv(const std::string& file);
 
 // building.json; image paths are relative to the file's folder. Throws InputError.
 Building ReadBuildingJson(const std::string& path);

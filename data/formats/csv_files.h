@@ -17,6 +17,8 @@ inline constexpr char kWifiFile[] = "wifi.csv";
 inline constexpr char kBeaconFile[] = "beacon.csv";
 inline constexpr char kWaypointFile[] = "waypoints.csv";
 
+inline constexpr char kPathFile[] = "path.csv";
+
 inline constexpr char kAccelerometerColumns[] = "x_mps2,y_mps2,z_mps2";
 inline constexpr char kGyroscopeColumns[] = "x_radps,y_radps,z_radps";
 inline constexpr char kMagnetometerColumns[] = "x_ut,y_ut,z_ut";
@@ -26,6 +28,8 @@ inline constexpr char kWifiColumns[] = "bssid,rssi_dbm";   // behind time and he
 inline constexpr char kBeaconColumns[] = "name,rssi_dbm";  // behind time and heard time
 inline constexpr char kWaypointColumns[] = "x_m,y_m,floor";
 inline constexpr char kWgs84WaypointColumns[] = "latitude_deg,longitude_deg,floor";
+
+inline constexpr char kPathHeader[] = "time_ns,x_m,y_m,z_m,floor,heading_rad";
 
 }  // namespace walkgraph::csv
 

@@ -181,7 +181,7 @@ TruthFrame CsvReader::ReadWaypoints() {
 nlohmann::json ReadWalkJson(const std::string& folder) {
   const std::string path = (fs::path(folder) / csv::kWalkFile).string();
   if (!fs::is_regular_file(path)) return nlohmann::json::object();
-  const auto document = nlohmann::json::parse(ReadFileBytes(path), nullptr, false);
+  auto document = nlohmann::json::parse(ReadFileBytes(path), nullptr, false);
   if (!document.is_object()) throw InputError(path, 0, "malformed JSON", "an object");
   return document;
 }
@@ -208,7 +208,35 @@ void CsvReader::Read(Walk* walk) {
   walk->recording.device = TextOf(ReadWalkJson(folder_), "device");
 }
 
+bool ParsePathPoint(FieldReader fields, PathPoint* point) {
+  double floor = 0;
+  if (!ParseNanosecondsNs(fields.Next(), &point->time_ns)) return false;
+  for (double& component : point->position_m) {
+    if (!ParseDouble(fields.Next(), &component)) return false;
+  }
+  if (!ParseDouble(fields.Next(), &floor) || !(std::abs(floor) <= kHighestFloor)) return false;
+  point->floor = static_cast<int>(floor);
+  return ParseLastDouble(&fields, &point->heading_rad);
+}
+
 }  // namespace
+
+std::vector<PathPoint> ReadPathCsv(const std::string& file) {
+  const std::string text = ReadFileBytes(file);
+  LineReader lines(text);
+  std::string_view line;
+  lines.Next(&line);
+  if (line != csv::kPathHeader) {
+    throw InputError(file, 1, "another header", std::string("'") + csv::kPathHeader + "'");
+  }
+  std::vector<PathPoint> path;
+  while (lines.Next(&line)) {
+    if (!ParsePathPoint(FieldReader(line, ','), &path.emplace_back())) {
+      throw InputError(file, lines.number(), "malformed row", csv::kPathHeader);
+    }
+  }
+  return path;
+}
 
 bool IsCsvWalk(const std::string& folder) {
   return std::any_of(kFiles.begin(), kFiles.end(), [&folder](const char* file) {

@@ -1,14 +1,10 @@
-#include <charconv>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "data/formats/csv.h"
 #include "data/formats/csv_files.h"
-#include "data/input_error.h"
+#include "data/formats/text_output.h"
 
 namespace walkgraph {
 namespace {
@@ -17,56 +13,15 @@ namespace fs = std::filesystem;
 
 constexpr int kWgs84Decimals = 9;  // a tenth of a millimetre
 
-void WriteWholeFile(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file) throw InputError(path.string(), 0, "cannot be written", "a writable folder");
-}
-
 // A table that is built in memory and written at once.
 class CsvTable {
  public:
-  CsvTable(int time_decimals, const std::string& header)
-      : time_decimals_(time_decimals), text_(header + "\n") {}
+  explicit CsvTable(const std::string& header) : text_(header + "\n") {}
 
-  // Times are cut to the precision: rounding could put a reading after its own row.
-  CsvTable& Time(TimeNs time_ns) {
-    TimeNs unit_ns = kNsPerSecond;
-    for (int i = 0; i < time_decimals_; ++i) unit_ns /= 10;
-    const bool negative = time_ns < 0;
-    const TimeNs units = (negative ? -time_ns : time_ns) / unit_ns;
-    std::string digits = std::to_string(units);
-    const auto decimals = static_cast<std::size_t>(time_decimals_);
-    if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-    if (decimals > 0) digits.insert(digits.size() - decimals, 1, '.');
-    return Text(negative ? "-" + digits : digits);
-  }
-
-  // Fixed decimals; "-0.00" is written as "0.00".
-  CsvTable& Number(double value, int decimals) {
-    char buffer[std::numeric_limits<double>::max_exponent10 + 64];
-    const auto result =
-        std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, decimals);
-    std::string digits(buffer, result.ptr);
-    if (digits.front() == '-' && digits.find_first_not_of("-0.") == std::string::npos) {
-      digits.erase(0, 1);
-    }
-    return Text(digits);
-  }
-
-  CsvTable& Text(const std::string& field) {
-    if (text_.back() != '\n') text_ += ',';
-    text_ += field;
-    return *this;
-  }
-
-  void EndRow() { text_ += '\n'; }
-
-  void Write(const fs::path& path) const { WriteWholeFile(path, text_); }
+  void Add(const TextRow& row) { text_.append(row.text()).append("\n"); }
+  void Write(const fs::path& path) const { WriteTextFile(path.string(), text_); }
 
  private:
-  int time_decimals_;
   std::string text_;
 };
 
@@ -84,9 +39,8 @@ class CsvWriter {
   void WriteWaypoints(const Truth& truth) const;
 
  private:
-  CsvTable Table(const char* columns) const {
-    return {precision_.time_s, std::string("time_s,") + columns};
-  }
+  CsvTable Table(const char* columns) const { return CsvTable(std::string("time_s,") + columns); }
+  TextRow Row(TimeNs time_ns) const { return TextRow(',').Seconds(time_ns, precision_.time_s); }
 
   CsvPrecision precision_;
   fs::path folder_;
@@ -97,9 +51,9 @@ void CsvWriter::WriteVectors(const Stream<Eigen::Vector3d>& stream, int decimals
   if (stream.empty()) return;
   CsvTable table = Table(columns);
   for (std::size_t i = 0; i < stream.size(); ++i) {
-    table.Time(stream.time_ns[i]);
-    for (const double component : stream.value[i]) table.Number(component, decimals);
-    table.EndRow();
+    TextRow row = Row(stream.time_ns[i]);
+    for (const double component : stream.value[i]) row.Number(component, decimals);
+    table.Add(row);
   }
   table.Write(folder_ / file);
 }
@@ -108,10 +62,10 @@ void CsvWriter::WriteRotations(const Stream<Eigen::Quaterniond>& stream) const {
   if (stream.empty()) return;
   CsvTable table = Table(csv::kRotationVectorColumns);
   for (std::size_t i = 0; i < stream.size(); ++i) {
-    table.Time(stream.time_ns[i]);
+    TextRow row = Row(stream.time_ns[i]);
     const Eigen::Vector4d& xyzw = stream.value[i].coeffs();
-    for (const double component : xyzw) table.Number(component, precision_.quaternion);
-    table.EndRow();
+    for (const double component : xyzw) row.Number(component, precision_.quaternion);
+    table.Add(row);
   }
   table.Write(folder_ / csv::kRotationVectorFile);
 }
@@ -120,7 +74,7 @@ void CsvWriter::WritePressure(const Stream<double>& stream) const {
   if (stream.empty()) return;
   CsvTable table = Table(csv::kPressureColumns);
   for (std::size_t i = 0; i < stream.size(); ++i) {
-    table.Time(stream.time_ns[i]).Number(stream.value[i], precision_.pressure_hpa).EndRow();
+    table.Add(Row(stream.time_ns[i]).Number(stream.value[i], precision_.pressure_hpa));
   }
   table.Write(folder_ / csv::kPressureFile);
 }
@@ -133,8 +87,10 @@ void CsvWriter::WriteRadio(const Recording& recording, Radio radio, const char* 
     const Transmitter& transmitter = recording.transmitters.at(row.transmitter);
     if (transmitter.radio != radio) continue;
     any = true;
-    table.Time(row.printed_ns).Time(row.heard_ns).Text(transmitter.name);
-    table.Number(row.rssi_dbm, precision_.rssi_dbm).EndRow();
+    table.Add(Row(row.printed_ns)
+                  .Seconds(row.heard_ns, precision_.time_s)
+                  .Text(transmitter.name)
+                  .Number(row.rssi_dbm, precision_.rssi_dbm));
   }
   if (any) table.Write(folder_ / file);
 }
@@ -145,20 +101,31 @@ void CsvWriter::WriteWaypoints(const Truth& truth) const {
   const int decimals = wgs84 ? kWgs84Decimals : precision_.waypoint;
   CsvTable table = Table(wgs84 ? csv::kWgs84WaypointColumns : csv::kWaypointColumns);
   for (const Waypoint& waypoint : truth.waypoints) {
-    table.Time(waypoint.time_ns);
-    for (const double component : waypoint.position) table.Number(component, decimals);
-    table.Text(std::to_string(waypoint.floor)).EndRow();
+    TextRow row = Row(waypoint.time_ns);
+    for (const double component : waypoint.position) row.Number(component, decimals);
+    table.Add(row.Text(std::to_string(waypoint.floor)));
   }
   table.Write(folder_ / csv::kWaypointFile);
 }
 
+constexpr int kPathDecimals = 4;
+
 }  // namespace
+
+void WritePathCsv(const std::vector<PathPoint>& path, const std::string& file) {
+  CsvTable table(csv::kPathHeader);
+  for (const PathPoint& point : path) {
+    TextRow row(',');
+    row.Text(std::to_string(point.time_ns));
+    for (const double component : point.position_m) row.Number(component, kPathDecimals);
+    table.Add(row.Text(std::to_string(point.floor)).Number(point.heading_rad, kPathDecimals));
+  }
+  table.Write(file);
+}
 
 void WriteCsvWalk(const Recording& recording, const Truth& truth, const CsvPrecision& precision,
                   const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder, 0, error.message(), "a folder that can be made");
+  MakeFolder(folder);
   const CsvWriter writer(precision, folder);
   writer.WriteVectors(recording.accelerometer_mps2, precision.acceleration_mps2,
                       csv::kAccelerometerColumns, csv::kAccelerometerFile);
@@ -173,7 +140,7 @@ void WriteCsvWalk(const Recording& recording, const Truth& truth, const CsvPreci
   writer.WriteWaypoints(truth);
   if (!recording.device.empty()) {
     const nlohmann::json walk = {{"device", recording.device}};
-    WriteWholeFile(fs::path(folder) / csv::kWalkFile, walk.dump() + "\n");
+    WriteTextFile((fs::path(folder) / csv::kWalkFile).string(), walk.dump() + "\n");
   }
 }
 

@@ -26,6 +26,11 @@ bool LooksLikeGetSensorData(std::string_view beginning);
 // in some logs. GNSS, light, sound and other records are counted and not used.
 Walk ReadGetSensorData(std::string_view text);
 
+// Writes a log, the waypoints of `truth` in degrees (TruthFrame::kWgs84). Times are cut to tenths
+// of a millisecond; of a beacon's name what follows the last '_' is its address. Throws InputError
+// where the file cannot be written.
+void WriteGetSensorData(const Recording& recording, const Truth& truth, const std::string& path);
+
 // "Trial51" of "IPIN2023_T3_TrainingTrial51_repetition02"; the name itself where it has no such
 // part.
 std::string GetSensorDataTrial(const std::string& name);

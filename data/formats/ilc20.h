@@ -25,6 +25,9 @@ Walk ReadIlc20(std::string_view text, std::optional<int> floor);
 // "B2" is -2, "F1" and "L1" are 0, "F3" and "3F" are 2; nullopt where the name says no number.
 std::optional<int> Ilc20FloorNumber(std::string_view floor_name);
 
+// The inverse: "B1" for -1, "F1" for 0.
+std::string Ilc20FloorName(int number);
+
 // Whether a folder is a floor of a site.
 bool IsIlc20Floor(const std::string& folder);
 
@@ -32,6 +35,15 @@ bool IsIlc20Floor(const std::string& folder);
 // are obstacles. The plan's width and height are those of the outline's bounding box, so that box
 // is mapped to (0, 0)-(width, height). Throws InputError on missing or malformed files.
 Floor ReadIlc20Floor(const std::string& folder);
+
+// Writes floor_info.json and geojson_map.json into `folder`, which is made where it does not exist.
+// The outline is placed on the globe at `origin`, north up. Throws InputError where the floor has
+// no outline, where its box does not begin at (0, 0), and where a file cannot be written.
+void WriteIlc20Floor(const Floor& floor, const GeoReference& origin, const std::string& folder);
+
+// Writes a recording with waypoints in metres of its floor's plan. Times are cut to milliseconds;
+// beacons are named uuid_major_minor_mac. Throws InputError where the file cannot be written.
+void WriteIlc20Walk(const Recording& recording, const Truth& truth, const std::string& path);
 
 }  // namespace walkgraph
 

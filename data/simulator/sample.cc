@@ -1,30 +1,30 @@
 #include "data/simulator/sample.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 #include "data/formats/csv.h"
-#include "data/input_error.h"
-#include "data/simulator/imu.h"
-#include "data/simulator/plan.h"
+#include "data/formats/text_output.h"
+#include "data/simulator/barometer.h"
+#include "data/simulator/magnetic.h"
+#include "data/simulator/office_plan.h"
+#include "data/simulator/phone.h"
 #include "data/simulator/radio.h"
-#include "data/simulator/random.h"
-#include "data/simulator/route.h"
+#include "data/simulator/scenarios.h"
+#include "data/simulator/walk_truth.h"
 
 namespace walkgraph {
 namespace {
 
-constexpr int kAccessPoints = 40;
-constexpr int kSurveyWalks = 14;
-constexpr int kTestWalks = 4;
 constexpr double kSurveyLengthM = 28.0;
 constexpr double kTestLengthM = 66.0;
 constexpr double kTestStopS = 4.0;
 constexpr TimeNs kImuIntervalNs = 20 * kNsPerMs;  // 50 Hz
 constexpr TimeNs kBeginNs = 10 * kNsPerSecond;    // readings heard before the walk have times too
-constexpr double kWaypointEveryS = 10.0;
+// Walks begin and end this far from crossings.
+constexpr double kEndMarginM = 1.5;
 // As many decimals as the sensors have digits: the sample is part of the source tree.
 constexpr CsvPrecision kPrecision = {.time_s = 2,
                                      .acceleration_mps2 = 2,
@@ -37,33 +37,52 @@ constexpr CsvPrecision kPrecision = {.time_s = 2,
 
 // Streams of random numbers, so that a change to one part of the simulator leaves the others as
 // they were.
-enum RandomStream : std::uint64_t { kPlaceStream, kWalkStream = 1000 };
+enum RandomStream : std::uint64_t {
+  kPlaceStream,
+  kMagneticStream,
+  kHandlingStream,
+  kWalkStream = 1000
+};
 
-Waypoint MakeWaypoint(const WalkState& state) { return {state.time_ns, state.position_m, 0}; }
+int OtherEnd(const WayLink& link, int node) { return link.from == node ? link.to : link.from; }
 
-// A waypoint where the person starts, turns and arrives, and between them so that none is further
-// than kWaypointEveryS from the one before.
-Truth MakeTruth(const Route& route, const std::vector<WalkState>& states) {
-  std::vector<TimeNs> times = {states.front().time_ns, states.back().time_ns};
-  for (const double turn_m : route.turns_m()) {
-    const auto there = std::find_if(states.begin(), states.end(), [&](const WalkState& state) {
-      return state.distance_m >= turn_m;
-    });
-    if (there != states.end()) times.push_back(there->time_ns);
+// A link at `node` other than the one the person comes along.
+int NextLink(const Plan& plan, int node, int arrived_by, Random* random) {
+  std::vector<int> choices;
+  for (int i = 0; i < static_cast<int>(plan.links.size()); ++i) {
+    const WayLink& link = plan.Link(i);
+    if (i != arrived_by && (link.from == node || link.to == node)) choices.push_back(i);
   }
-  std::sort(times.begin(), times.end());
-  Truth truth;
-  TimeNs last_ns = states.front().time_ns;
-  std::size_t next = 0;
-  for (const WalkState& state : states) {
-    const bool due = next < times.size() && state.time_ns >= times[next];
-    const bool long_ago = SecondsBetween(last_ns, state.time_ns) >= kWaypointEveryS;
-    if (!due && !long_ago) continue;
-    while (next < times.size() && state.time_ns >= times[next]) ++next;
-    truth.waypoints.push_back(MakeWaypoint(state));
-    last_ns = state.time_ns;
+  return choices[static_cast<std::size_t>(random->Index(static_cast<int>(choices.size())))];
+}
+
+// The corners of a random path from a point on the first link until the length is used up.
+std::vector<RouteCorner> RandomCorners(const Plan& plan, int first_link, double length_m,
+                                       Random* random) {
+  int link = first_link;
+  const WayLink& first = plan.Link(link);
+  int target = random->Uniform() < 0.5 ? first.from : first.to;
+  const Eigen::Vector2d begin = plan.Node(first.from).position_m;
+  const Eigen::Vector2d end = plan.Node(first.to).position_m;
+  const double margin = kEndMarginM / (end - begin).norm();
+  std::vector<RouteCorner> corners = {
+      {begin + (end - begin) * random->Uniform(margin, 1.0 - margin)}};
+  double left = length_m;
+  while (true) {
+    const Eigen::Vector2d& node = plan.Node(target).position_m;
+    const Eigen::Vector2d from = corners.back().position_m;
+    const Eigen::Vector2d leg = node - from;
+    if (leg.norm() >= left) {
+      const double last =
+          std::clamp(left, kEndMarginM, std::max(kEndMarginM, leg.norm() - kEndMarginM));
+      corners.push_back({from + leg.normalized() * last});
+      return corners;
+    }
+    left -= leg.norm();
+    corners.push_back({node});
+    link = NextLink(plan, target, link, random);
+    target = OtherEnd(plan.Link(link), target);
   }
-  return truth;
 }
 
 struct WalkPlan {
@@ -73,21 +92,38 @@ struct WalkPlan {
   double stop_s = 0;
 };
 
-SimulatedWalk MakeWalk(const Plan& plan, const std::vector<AccessPoint>& access_points,
-                       const WalkPlan& walk_plan, Random random) {
+// Where everything happens.
+struct Place {
+  SimulationSettings settings = SampleSettings();
+  Plan plan = MakeSampleOffice();
+  std::vector<Sender> access_points;
+};
+
+SimulatedWalk MakeWalk(const Place& place, const WalkPlan& walk_plan, Random random) {
+  const SimulationSettings& settings = place.settings;
   SimulatedWalk walk;
   walk.name = walk_plan.name;
-  const Route route(plan, walk_plan.first_link, walk_plan.length_m, &random);
-  const Gait gait = RandomGait(&random);
-  const Stop stop = {random.Uniform(0.3, 0.7) * route.length_m(), walk_plan.stop_s};
-  walk.path = WalkRoute(route, gait, stop, kBeginNs, kImuIntervalNs, &random);
-  walk.truth = MakeTruth(route, walk.path);
+  std::vector<Leg> legs = {
+      {.route = Route(RandomCorners(place.plan, walk_plan.first_link, walk_plan.length_m, &random),
+                      {}, &random)}};
+  const Gait gait = RandomGait(settings.gait, &random);
+  legs[0].stops = {{random.Uniform(0.3, 0.7) * legs[0].route.length_m(), walk_plan.stop_s}};
+  walk.path = WalkLegs(legs, gait, settings, kStandAtEndsS, kBeginNs, kImuIntervalNs, &random);
+  walk.truth = MakeTruth(place.plan, legs, walk.path, walk.path.front().time_ns,
+                         settings.walks.waypoint_every_s);
   walk.recording.id = walk.name;
   walk.recording.device = "simulated";
   walk.recording.begin_ns = walk.path.front().time_ns;
   walk.recording.end_ns = walk.path.back().time_ns;
-  SimulateImu(walk.path, gait, &random, &walk.recording);
-  SimulateWifi(plan, access_points, walk.path, &random, &walk.recording);
+  const Handling handling(0.0, random.Fork(kHandlingStream));
+  Random steel = random.Fork(kMagneticStream);
+  const MagneticField field(settings.magnetic, 0.0, &steel);
+  const std::vector<Eigen::Quaterniond> attitudes =
+      SimulateAttitudes(walk.path, gait, settings.hold, handling, &random);
+  SimulateInertial(walk.path, attitudes, gait, settings, handling, &random, &walk.recording);
+  SimulateMagnetic(walk.path, attitudes, field, settings.magnetic, 0.0, &random, &walk.recording);
+  SimulateBarometer(walk.path, settings.barometer, &random, &walk.recording);
+  SimulateWifi(place.plan, place.access_points, walk.path, settings, &random, &walk.recording);
   return walk;
 }
 
@@ -101,30 +137,29 @@ std::string WalkName(const char* set, int number) {
 
 Sample MakeSample(std::uint64_t seed) {
   const Random random(seed);
-  const Plan plan = MakeOfficePlan();
+  Place place;
   Random places = random.Fork(kPlaceStream);
-  const std::vector<AccessPoint> access_points = PlaceAccessPoints(plan, kAccessPoints, &places);
+  place.access_points = PlaceAccessPoints(place.plan, place.settings, &places);
   Sample sample;
-  sample.building = plan.building;
-  const int links = static_cast<int>(plan.links.size());
-  for (int i = 0; i < kSurveyWalks + kTestWalks; ++i) {
-    const bool survey = i < kSurveyWalks;
+  sample.building = place.plan.building;
+  const int links = static_cast<int>(place.plan.links.size());
+  const WalkSettings& walks = place.settings.walks;
+  for (int i = 0; i < walks.survey + walks.test; ++i) {
+    const bool survey = i < walks.survey;
     WalkPlan walk;
-    walk.name = survey ? WalkName("survey", i + 1) : WalkName("test", i - kSurveyWalks + 1);
+    walk.name = survey ? WalkName("survey", i + 1) : WalkName("test", i - walks.survey + 1);
     walk.first_link = i % links;  // so that the survey begins everywhere
     walk.length_m = survey ? kSurveyLengthM : kTestLengthM;
     walk.stop_s = survey ? 0.0 : kTestStopS;
-    sample.walks.push_back(MakeWalk(plan, access_points, walk,
-                                    random.Fork(kWalkStream + static_cast<std::uint64_t>(i))));
+    sample.walks.push_back(
+        MakeWalk(place, walk, random.Fork(kWalkStream + static_cast<std::uint64_t>(i))));
   }
   return sample;
 }
 
 void SimulateSample(const std::string& out_dir, std::uint64_t seed) {
   namespace fs = std::filesystem;
-  std::error_code error;
-  fs::create_directories(out_dir, error);
-  if (error) throw InputError(out_dir, 0, error.message(), "a folder that can be made");
+  MakeFolder(out_dir);
   const Sample sample = MakeSample(seed);
   WriteBuildingJson(sample.building, (fs::path(out_dir) / "building.json").string());
   for (const SimulatedWalk& walk : sample.walks) {

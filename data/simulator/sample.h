@@ -6,19 +6,9 @@
 #include <vector>
 
 #include "data/building.h"
-#include "data/recording.h"
-#include "data/simulator/motion.h"
-#include "data/truth.h"
+#include "data/simulator/simulated_walk.h"
 
 namespace walkgraph {
-
-// A simulated walk with everything that is true about it.
-struct SimulatedWalk {
-  std::string name;  // folder below the sample, "survey/walk_01"
-  Recording recording;
-  Truth truth;                  // at the start, the end, every turn and at least every 10 s
-  std::vector<WalkState> path;  // where the person really was, at the rate of the IMU
-};
 
 struct Sample {
   Building building;

@@ -5,7 +5,9 @@
 #include "verbs.h"
 
 DEFINE_string(train, "", "folder of walks to train on, in place of --dataset");
-DEFINE_string(test, "", "folder of walks to test on, in place of --dataset");
+DEFINE_string(test, "",
+              "folder of walks to test on, in place of --dataset; for simulate the number of test "
+              "walks");
 DEFINE_string(methods, "", "comma-separated names; `walkgraph methods` lists them");
 DEFINE_int32(folds, 5, "parts of the cross-validation");
 DEFINE_string(split, "walk", "what stays together: walk, session, trial, phone or block");

@@ -129,6 +129,37 @@ TEST(BuildingJson, GivesBackWhatWasWritten) {
   EXPECT_NEAR(read.origin->rotation_rad, 0.36, 1e-12);
 }
 
+TEST(BuildingJson, KnowsWhereFloorsAreJoined) {
+  Building building;
+  building.floors.resize(2);
+  building.floors[0].number = -1;
+  building.floors[0].max_corner = building.floors[1].max_corner = {9, 9};
+  building.connectors = {
+      {"stairs", ConnectorKind::kStairs, {{-1, {1, 2}}, {0, {3, 4}}}, 2.5},
+      {"lift", ConnectorKind::kLift, {{-1, {5, 6}}, {0, {5, 6}}}, 1.5},
+      {"escalator", ConnectorKind::kEscalator, {{-1, {7, 1}}, {0, {1, 7}}}, 2.0}};
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("building.json");
+  WriteBuildingJson(building, path);
+  const Building read = ReadBuildingJson(path);
+  ASSERT_EQ(read.connectors.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read.connectors[i].name, building.connectors[i].name);
+    EXPECT_EQ(read.connectors[i].kind, building.connectors[i].kind);
+    EXPECT_EQ(read.connectors[i].radius_m, building.connectors[i].radius_m);
+    ASSERT_EQ(read.connectors[i].stops.size(), 2U);
+    EXPECT_EQ(read.connectors[i].stops[1].floor, 0);
+    EXPECT_EQ(read.connectors[i].stops[1].position, building.connectors[i].stops[1].position);
+  }
+  const std::string floors =
+      R"({"floors":[{"number":0,"height_m":0,"min_corner":[0,0],"max_corner":[9,9]}],"connectors":)";
+  folder.Write("building.json", floors + R"([{"kind":"ladder","stops":[]}]})");
+  EXPECT_THROW(ReadBuildingJson(path), InputError);
+  folder.Write("building.json",
+               floors + R"([{"kind":"lift","stops":[{"floor":0,"position":[1,2]}]}]})");
+  EXPECT_THROW(ReadBuildingJson(path), InputError);
+}
+
 TEST(BuildingJson, BoundsTheOutlineWhereNoCornersAreGiven) {
   const TemporaryFolder folder;
   folder.Write("building.json",

@@ -34,6 +34,17 @@ TEST(Wgs84ToBuilding, KeepsDistancesOverAKilometre) {
   EXPECT_NEAR(distance_a, distance_b, 1e-3);
 }
 
+TEST(BuildingToWgs84, IsTheInverse) {
+  for (const GeoReference& origin :
+       {GeoReference{49.4613, 11.111, 0.36}, GeoReference{-60.0, 179.9, -2.0}}) {
+    for (const Eigen::Vector2d& point :
+         {Eigen::Vector2d(0, 0), Eigen::Vector2d(44, -24), Eigen::Vector2d(-700, 650)}) {
+      const Eigen::Vector2d degrees = BuildingToWgs84(point, origin);
+      EXPECT_LT((Wgs84ToBuilding(degrees.x(), degrees.y(), origin) - point).norm(), 1e-6);
+    }
+  }
+}
+
 TEST(ToBuildingFrame, NeedsAnOriginForWgs84Only) {
   Truth truth;
   truth.waypoints = {{0, {1, 2}, 0}};
