@@ -20,7 +20,7 @@ namespace walkgraph {
 enum class SurveyPositions : std::uint8_t { kWalkedDistance, kSmoother };
 
 struct SurveySettings {
-  SurveyPositions positions = SurveyPositions::kWalkedDistance;
+  SurveyPositions positions = SurveyPositions::kSmoother;
 };
 
 template <typename Visitor>

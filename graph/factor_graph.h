@@ -26,10 +26,10 @@ struct StateBlock {
 };
 
 struct GraphFactor {
-  std::string type;         // as statistics name it
-  TimeNs arrival_ns = 0;    // when its evidence was there to be used
+  std::string type;                // as statistics name it
+  TimeNs arrival_ns = 0;           // when its evidence was there to be used
   bool absolute_position = false;  // it tells where the walk is, other than by ignorance
-  std::vector<int> blocks;  // in the order of the cost function's arguments
+  std::vector<int> blocks;         // in the order of the cost function's arguments
   std::unique_ptr<ceres::CostFunction> cost;
   std::unique_ptr<ceres::LossFunction> loss;  // none: the parabola
   // -log density = 1/2 rho(|residual|^2) + log_normaliser, nats.

@@ -79,7 +79,8 @@ MatrixXd StackRows(const std::vector<LinearFactor>& factors, const std::vector<i
 }  // namespace
 
 std::optional<LinearFactor> MarginalizeBlocks(const LinearSystem& system,
-                                              const std::vector<int>& eliminated) {
+                                              const std::vector<int>& eliminated,
+                                              double* log_determinant) {
   CheckShapes(system);
   const std::vector<char> member = Membership(system, eliminated);
   const LinearSystem involved = Involved(system, member);
@@ -88,6 +89,7 @@ std::optional<LinearFactor> MarginalizeBlocks(const LinearSystem& system,
   std::vector<int> order = FillReducingOrder(involved);
   std::erase_if(order, [&](int block) { return member[block] == 0; });
   const BlockElimination elimination = EliminateBlocks(involved, order);
+  if (log_determinant != nullptr) *log_determinant = elimination.log_determinant;
 
   LinearFactor prior;
   prior.blocks = Union(elimination.remainder);

@@ -22,8 +22,12 @@ namespace walkgraph {
 //
 // Nothing is returned if a Jacobian or residual is not finite. Throws std::invalid_argument on a
 // malformed system (see CheckShapes), an eliminated index out of range or one given twice.
+//
+// `log_determinant`, if wanted, becomes log det of the eliminated blocks' information given the
+// separator, without dependent pivots: what the determinant of the whole problem loses with them.
 std::optional<LinearFactor> MarginalizeBlocks(const LinearSystem& system,
-                                              const std::vector<int>& eliminated);
+                                              const std::vector<int>& eliminated,
+                                              double* log_determinant = nullptr);
 
 }  // namespace walkgraph
 

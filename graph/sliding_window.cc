@@ -78,8 +78,10 @@ bool SlidingWindow::Marginalize(const std::vector<int>& leaving) {
   for (const int block : leaving) {
     if (index.variable(block) >= 0) eliminated.push_back(index.variable(block));
   }
-  std::optional<LinearFactor> rest = MarginalizeBlocks(system, eliminated);
+  double log_determinant = 0;
+  std::optional<LinearFactor> rest = MarginalizeBlocks(system, eliminated, &log_determinant);
   if (!rest) return false;
+  left_log_determinant_ += log_determinant;
 
   LinearPrior prior{{}, std::move(rest->jacobian), std::move(rest->residual), {}};
   prior.point.resize(prior.jacobian.cols());

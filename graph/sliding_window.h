@@ -27,6 +27,11 @@ class SlidingWindow {
   bool IsActive(int block) const { return state_[static_cast<std::size_t>(block)] == kActive; }
   bool HasLeft(int block) const { return state_[static_cast<std::size_t>(block)] == kLeft; }
 
+  // Sum over all marginalisations of log det of the information of the blocks that left, given
+  // those that stayed: with that of the part it makes the determinant of all that was ever in the
+  // window, which windows in other modes are weighed against.
+  double left_log_determinant() const { return left_log_determinant_; }
+
   void AddBlock(int block);
 
   // Adds a factor. False if it cannot take part because a block of its has left: such late evidence
@@ -42,8 +47,9 @@ class SlidingWindow {
 
   FactorGraph* graph_;
   GraphPart part_;
-  std::vector<State> state_;        // by block
-  std::vector<bool> has_first_;     // by block: touched by a prior
+  std::vector<State> state_;     // by block
+  std::vector<bool> has_first_;  // by block: touched by a prior
+  double left_log_determinant_ = 0;
   Eigen::VectorXd first_estimate_;  // as FactorGraph::values(), where has_first_
 };
 

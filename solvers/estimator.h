@@ -46,9 +46,9 @@ struct FactorStatistics {
 
 // A competing explanation of the walk.
 struct Hypothesis {
-  std::string source;  // "viterbi", "dead_reckoning 3"
-  double negative_log_posterior = 0;  // with normalisers and 1/2 log det of the Hessian, nats
-  bool kept = false;                  // within the mode limit of the best
+  std::string source;                   // "viterbi", "dead_reckoning 3"
+  double negative_log_posterior = 0;    // with normalisers and 1/2 log det of the Hessian, nats
+  bool kept = false;                    // within the mode limit of the best
   std::vector<Eigen::Vector2d> path_m;  // one point per node
 };
 

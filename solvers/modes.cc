@@ -24,19 +24,6 @@ double HeadingOf(const WalkGraph& walk, const Eigen::VectorXd& values, std::size
   return values[walk.graph.block(walk.heading[node]).offset];
 }
 
-bool SamePath(const FactorGraph& graph, const GraphPart& part, const Mode& a, const Mode& b,
-              double distinct_m) {
-  double sum = 0;
-  int nodes = 0;
-  for (const int index : part.blocks) {
-    const StateBlock& block = graph.block(index);
-    if (block.id.kind != BlockKind::kPosition) continue;
-    sum += (a.values.segment<2>(block.offset) - b.values.segment<2>(block.offset)).squaredNorm();
-    ++nodes;
-  }
-  return sum < distinct_m * distinct_m * nodes;
-}
-
 std::size_t KeptCount(const std::vector<Mode>& modes, double mode_limit_nats) {
   std::size_t kept = 1;
   while (kept < modes.size() &&
@@ -46,19 +33,10 @@ std::size_t KeptCount(const std::vector<Mode>& modes, double mode_limit_nats) {
   return kept;
 }
 
-// Of the kept modes, adding up to one.
 std::vector<double> ModeWeights(const std::vector<Mode>& modes, std::size_t kept) {
-  std::vector<double> weights;
-  double sum = 0;
-  for (std::size_t m = 0; m < kept; ++m) {
-    // Equal infinities (covariance failed everywhere) leave the first mode alone.
-    const double excess =
-        m == 0 ? 0.0 : modes[m].negative_log_mass - modes.front().negative_log_mass;
-    weights.push_back(std::isnan(excess) ? 0.0 : std::exp(-excess));
-    sum += weights.back();
-  }
-  for (double& weight : weights) weight /= sum;
-  return weights;
+  std::vector<double> masses;
+  for (std::size_t m = 0; m < kept; ++m) masses.push_back(modes[m].negative_log_mass);
+  return MixtureWeights(masses);
 }
 
 void MixNode(const WalkGraph& walk, const std::vector<Mode>& modes,
@@ -88,6 +66,32 @@ std::vector<std::string> CoordinateNames(const StateBlock& block) {
 }
 
 }  // namespace
+
+bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& a,
+              const Eigen::VectorXd& b, double distinct_m) {
+  double sum = 0;
+  int nodes = 0;
+  for (const int index : part.blocks) {
+    const StateBlock& block = graph.block(index);
+    if (block.id.kind != BlockKind::kPosition) continue;
+    sum += (a.segment<2>(block.offset) - b.segment<2>(block.offset)).squaredNorm();
+    ++nodes;
+  }
+  return sum < distinct_m * distinct_m * nodes;
+}
+
+std::vector<double> MixtureWeights(const std::vector<double>& negative_log_masses) {
+  std::vector<double> weights;
+  double sum = 0;
+  for (const double mass : negative_log_masses) {
+    // Equal infinities (covariance failed everywhere) leave the first alone.
+    const double excess = weights.empty() ? 0.0 : mass - negative_log_masses.front();
+    weights.push_back(std::isnan(excess) ? 0.0 : std::exp(-excess));
+    sum += weights.back();
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
 
 PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part) {
   const VariableIndex index(walk.graph, part.blocks);
@@ -137,7 +141,7 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
   std::vector<Mode> distinct;
   for (Mode& mode : *modes) {
     const bool repeated = std::any_of(distinct.begin(), distinct.end(), [&](const Mode& other) {
-      return SamePath(walk->graph, part, mode, other, settings.distinct_m);
+      return SamePath(walk->graph, part, mode.values, other.values, settings.distinct_m);
     });
     if (repeated) continue;
     walk->graph.SetValues(mode.values);

@@ -37,6 +37,15 @@ struct Mode {
   PointUncertainty uncertainty;
 };
 
+// Whether two points of the state space have the same positions: within `distinct_m`, root mean
+// square over the part's nodes.
+bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& a,
+              const Eigen::VectorXd& b, double distinct_m);
+
+// Weights of a mixture, adding up to one, from the negative log masses (nats) of its parts. The
+// first, which must be the smallest, has it all where they are not finite.
+std::vector<double> MixtureWeights(const std::vector<double>& negative_log_masses);
+
 // Drops modes whose positions are those of a denser one (within `distinct_m`, RMS over the
 // part's nodes), adds mass and covariance to the rest, and sorts them by mass, best first.
 void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph* walk,

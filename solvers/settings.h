@@ -15,9 +15,11 @@ struct SolverSettings {
 };
 
 struct WindowSettings {
-  double seconds = 10;         // nodes older than this before the newest leave the window
-  int nodes = 0;               // if positive, this many nodes stay instead
-  bool report_newest = false;  // report a node when it arrives (no lag), not when it leaves
+  double seconds = 10;          // nodes older than this before the newest leave the window
+  int nodes = 0;                // if positive, this many nodes stay instead
+  int hypotheses = 4;           // followed at once at most, until evidence tells them apart
+  double hypothesis_nats = 12;  // and dropped when this much worse than the best
+  bool report_newest = false;   // report a node when it arrives (no lag), not when it leaves
 };
 
 template <typename Visitor>
@@ -34,6 +36,9 @@ template <typename Visitor>
 void Visit(Visitor& v, WindowSettings& s) {
   v.Field("seconds", s.seconds, "nodes older than this leave the window, s");
   v.Field("nodes", s.nodes, "if positive, the window keeps this many nodes instead");
+  v.Field("hypotheses", s.hypotheses, "hypotheses that the window follows at once at most");
+  v.Field("hypothesis_nats", s.hypothesis_nats,
+          "a hypothesis this much worse than the best is dropped, nats");
   v.Field("report_newest", s.report_newest,
           "report a node when it arrives instead of when it leaves the window");
 }

@@ -6,6 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "data/angle.h"
+#include "graph/graph_part.h"
+#include "graph/posterior.h"
 #include "solvers/evidence_order.h"
 #include "solvers/graph_solver.h"
 #include "solvers/initial_trajectory.h"
@@ -20,9 +23,9 @@ WindowRun::WindowRun(const Site& site, const Evidence& evidence, const FactorSet
       solver_(solver),
       settings_(settings),
       walk_(BuildWalkGraph(site, evidence, factors, floor)),
-      dead_reckoning_(DeadReckon(site, evidence, factors)),
-      window_(&walk_.graph) {
+      dead_reckoning_(DeadReckon(site, evidence, factors)) {
   const FactorGraph& graph = walk_.graph;
+  hypotheses_.push_back({SlidingWindow(&walk_.graph), graph.values(), {}, 0});
   waiting_.resize(graph.factors().size());
   std::iota(waiting_.begin(), waiting_.end(), 0);
   std::stable_sort(waiting_.begin(), waiting_.end(), [&graph](int a, int b) {
@@ -44,14 +47,22 @@ WindowRun::WindowRun(const Site& site, const Evidence& evidence, const FactorSet
 
 void WindowRun::Play() {
   for (std::size_t node = 0; node < walk_.node_ns.size(); ++node) Arrive(node);
-  if (!settings_.report_newest) Report(window_.part().blocks);
+  if (settings_.report_newest) return;
+  Weigh();
+  Report(window().part().blocks);
 }
 
 void WindowRun::Arrive(std::size_t node) {
   const TimeNs now_ns = walk_.node_ns[node];
-  PredictNode(node);
-  window_.AddBlock(walk_.position[node]);
-  window_.AddBlock(walk_.heading[node]);
+  const std::vector<int> slow_blocks = TakeSlowBlocks(now_ns);
+  for (Hypothesis& hypothesis : hypotheses_) {
+    walk_.graph.SetValues(hypothesis.values);
+    PredictNode(node, slow_blocks);
+    hypothesis.values = walk_.graph.values();
+    for (const int block : slow_blocks) hypothesis.window.AddBlock(block);
+    hypothesis.window.AddBlock(walk_.position[node]);
+    hypothesis.window.AddBlock(walk_.heading[node]);
+  }
   const bool was_located = located_;
   const bool last = node + 1 == walk_.node_ns.size();
   AddReadyFactors(now_ns, last);
@@ -59,33 +70,57 @@ void WindowRun::Arrive(std::size_t node) {
   const bool first_to_leave = !marginalized_ && first_kept > 0;
   const bool starts = located_ && (!was_located || first_to_leave);
   if (starts || (last && !marginalized_)) {
-    Restart(now_ns);
+    Restart(now_ns, first_to_leave || last);
   } else if (located_) {
-    Solve();
+    for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
+  const bool leaves = located_ && first_kept > oldest_;
+  if (settings_.report_newest || leaves) Weigh();
   if (settings_.report_newest) Report({walk_.position[node], walk_.heading[node]});
-  if (located_ && first_kept > oldest_) {
-    const std::vector<int> leaving = LeavingBlocks(first_kept);
-    if (!settings_.report_newest) Report(leaving);
-    if (!window_.Marginalize(leaving)) {
-      ++failed_solves_;
-      return;
-    }
-    marginalized_ = true;
-    oldest_ = first_kept;
-  }
+  if (leaves) Marginalize(first_kept);
 }
 
-void WindowRun::Solve() {
-  if (!SolveGraph(window_.part(), solver_, &walk_.graph).ok) {
+void WindowRun::Marginalize(std::size_t first_kept) {
+  const std::vector<int> leaving = LeavingBlocks(first_kept);
+  if (!settings_.report_newest) Report(leaving);
+  std::vector<Hypothesis> kept;
+  for (Hypothesis& hypothesis : hypotheses_) {
+    walk_.graph.SetValues(hypothesis.values);
+    if (hypothesis.window.Marginalize(leaving)) {
+      kept.push_back(std::move(hypothesis));
+    } else {
+      ++failed_solves_;
+    }
+  }
+  // Where none can, all stay as they are and the next arrival tries again.
+  if (kept.empty()) return;
+  hypotheses_ = std::move(kept);
+  marginalized_ = true;
+  oldest_ = first_kept;
+}
+
+void WindowRun::Solve(Hypothesis* hypothesis) {
+  walk_.graph.SetValues(hypothesis->values);
+  if (!SolveGraph(hypothesis->window.part(), solver_, &walk_.graph).ok) {
     ++failed_solves_;
     return;
   }
-  PolishSolution(window_.part(), &walk_.graph);
+  PolishSolution(hypothesis->window.part(), &walk_.graph);
+  hypothesis->values = walk_.graph.values();
+}
+
+// Slow states whose time has come.
+std::vector<int> WindowRun::TakeSlowBlocks(TimeNs now_ns) {
+  const auto later = std::find_if(slow_blocks_.begin(), slow_blocks_.end(), [&](int block) {
+    return walk_.graph.block(block).time_ns > now_ns;
+  });
+  std::vector<int> taken(slow_blocks_.begin(), later);
+  slow_blocks_.erase(slow_blocks_.begin(), later);
+  return taken;
 }
 
 // Where the last estimate and dead reckoning lead; slow states stay as they are.
-void WindowRun::PredictNode(std::size_t node) {
+void WindowRun::PredictNode(std::size_t node, const std::vector<int>& new_slow_blocks) {
   FactorGraph& graph = walk_.graph;
   const TimeNs now_ns = walk_.node_ns[node];
   if (node > 0) {
@@ -103,15 +138,11 @@ void WindowRun::PredictNode(std::size_t node) {
   } else {
     *graph.value(walk_.heading[node]) = dead_reckoning_.HeadingAt(now_ns);
   }
-  const auto later = std::find_if(slow_blocks_.begin(), slow_blocks_.end(),
-                                  [&](int block) { return graph.block(block).time_ns > now_ns; });
-  for (auto it = slow_blocks_.begin(); it != later; ++it) {
-    window_.AddBlock(*it);
-    const BlockId id = graph.block(*it).id;
+  for (const int block : new_slow_blocks) {
+    const BlockId id = graph.block(block).id;
     if (id.index == 0 || id.kind == BlockKind::kRssiOffset) continue;
-    std::copy_n(graph.value(*it - 1), graph.block(*it).size(), graph.value(*it));
+    std::copy_n(graph.value(block - 1), graph.block(block).size(), graph.value(block));
   }
-  slow_blocks_.erase(slow_blocks_.begin(), later);
 }
 
 void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
@@ -120,11 +151,16 @@ void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
     const std::vector<int>& blocks = walk_.graph.factor(factor).blocks;
     const bool arrived = last || walk_.graph.factor(factor).arrival_ns <= now_ns;
     const bool complete = std::all_of(blocks.begin(), blocks.end(), [this](int block) {
-      return walk_.graph.block(block).constant || window_.IsActive(block) || window_.HasLeft(block);
+      return walk_.graph.block(block).constant || window().IsActive(block) ||
+             window().HasLeft(block);
     });
     if (!arrived || !complete) {
       still_waiting.push_back(factor);
-    } else if (!window_.AddFactor(factor)) {
+      continue;
+    }
+    bool used = true;  // the same in all: they have the same blocks
+    for (Hypothesis& hypothesis : hypotheses_) used = hypothesis.window.AddFactor(factor);
+    if (!used) {
       ++dropped_late_;
     } else if (walk_.graph.factor(factor).absolute_position) {
       located_ = true;
@@ -133,16 +169,66 @@ void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
   waiting_ = std::move(still_waiting);
 }
 
-// Starts anew from what the window's own evidence proposes. Only while nothing has left it.
-void WindowRun::Restart(TimeNs now_ns) {
+// Starts anew from what the window's own evidence proposes. Only while nothing has left it. With
+// `branch` every mode worth following becomes a hypothesis, else the best alone.
+void WindowRun::Restart(TimeNs now_ns, bool branch) {
   const Evidence seen = EvidenceUntil(evidence_, now_ns);
+  const SlidingWindow start_window = window();
   std::vector<Mode> modes;
   for (const InitialTrajectory& start :
        ProposeTrajectories(site_, seen, factors_, solver_, walk_.floor)) {
-    modes.push_back(SolveFrom(start, window_.part(), solver_, &walk_, &failed_solves_));
+    modes.push_back(SolveFrom(start, start_window.part(), solver_, &walk_, &failed_solves_));
   }
-  RankModes(solver_, window_.part(), &walk_, &modes);
-  walk_.graph.SetValues(modes.front().values);
+  RankModes(solver_, start_window.part(), &walk_, &modes);
+  const int most = branch ? std::max(1, settings_.hypotheses) : 1;
+  hypotheses_.clear();
+  for (const Mode& mode : modes) {
+    if (static_cast<int>(hypotheses_.size()) == most ||
+        mode.negative_log_mass > modes.front().negative_log_mass + settings_.hypothesis_nats) {
+      break;
+    }
+    hypotheses_.push_back({start_window, mode.values, {}, mode.negative_log_mass});
+  }
+  // Masses that are not finite compare to nothing.
+  if (hypotheses_.empty()) hypotheses_.push_back({start_window, modes.front().values, {}, 0});
+  most_hypotheses_ = std::max(most_hypotheses_, static_cast<int>(hypotheses_.size()));
+}
+
+// Ranks the hypotheses by the posterior mass about them and drops those that need not be followed.
+void WindowRun::Weigh() {
+  for (Hypothesis& hypothesis : hypotheses_) {
+    walk_.graph.SetValues(hypothesis.values);
+    const GraphPart& part = hypothesis.window.part();
+    hypothesis.uncertainty = ComputeUncertainty(walk_, part);
+    hypothesis.negative_log_mass = NegativeLogModeMass(NegativeLogDensity(walk_.graph, part),
+                                                       hypothesis.uncertainty.log_det_hessian,
+                                                       hypothesis.uncertainty.variables) +
+                                   0.5 * hypothesis.window.left_log_determinant();
+  }
+  std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
+                   [](const Hypothesis& a, const Hypothesis& b) {
+                     return a.negative_log_mass < b.negative_log_mass;
+                   });
+  const double limit = hypotheses_.front().negative_log_mass + settings_.hypothesis_nats;
+  hypotheses_.erase(
+      std::remove_if(hypotheses_.begin() + 1, hypotheses_.end(),
+                     [limit](const Hypothesis& h) { return !(h.negative_log_mass <= limit); }),
+      hypotheses_.end());
+  DropRepeated();
+}
+
+// Hypotheses that have come to the same path are one.
+void WindowRun::DropRepeated() {
+  std::vector<Hypothesis> distinct;
+  for (Hypothesis& hypothesis : hypotheses_) {
+    const bool repeated =
+        std::any_of(distinct.begin(), distinct.end(), [&](const Hypothesis& better) {
+          return SamePath(walk_.graph, better.window.part(), hypothesis.values, better.values,
+                          solver_.distinct_m);
+        });
+    if (!repeated) distinct.push_back(std::move(hypothesis));
+  }
+  hypotheses_ = std::move(distinct);
 }
 
 // The first node that stays once `newest` has come.
@@ -164,7 +250,7 @@ std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
     leaving.push_back(walk_.position[node]);
     leaving.push_back(walk_.heading[node]);
   }
-  for (const int block : window_.part().blocks) {
+  for (const int block : window().part().blocks) {
     const StateBlock& state = walk_.graph.block(block);
     if (!IsSlowState(state.id.kind) || state.id.kind == BlockKind::kRssiOffset) continue;
     const auto next = static_cast<std::size_t>(block) + 1;  // knots of a state are added in a row
@@ -177,15 +263,25 @@ std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
   return leaving;
 }
 
+// The best hypothesis's values, with the covariance of the mixture of all about them.
 void WindowRun::Report(const std::vector<int>& blocks) {
-  const PointUncertainty uncertainty = ComputeUncertainty(walk_, window_.part());
+  const Hypothesis& best = hypotheses_.front();
+  std::vector<double> masses;
+  for (const Hypothesis& hypothesis : hypotheses_) masses.push_back(hypothesis.negative_log_mass);
+  const std::vector<double> weights = MixtureWeights(masses);
   for (const int block : blocks) {
     const StateBlock& state = walk_.graph.block(block);
-    reported_.values.segment(state.offset, state.size()) =
-        walk_.graph.values().segment(state.offset, state.size());
+    const Eigen::VectorXd value = best.values.segment(state.offset, state.size());
+    reported_.values.segment(state.offset, state.size()) = value;
     if (state.constant) continue;
-    reported_.uncertainty.covariance[static_cast<std::size_t>(block)] =
-        uncertainty.covariance[static_cast<std::size_t>(block)];
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(state.size(), state.size());
+    for (std::size_t h = 0; h < hypotheses_.size(); ++h) {
+      Eigen::VectorXd apart = hypotheses_[h].values.segment(state.offset, state.size()) - value;
+      if (state.id.kind == BlockKind::kHeading) apart[0] = WrapAngle(apart[0]);
+      covariance +=
+          weights[h] * (hypotheses_[h].uncertainty.covariance[block] + apart * apart.transpose());
+    }
+    reported_.uncertainty.covariance[static_cast<std::size_t>(block)] = covariance;
   }
 }
 

@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_SOLVERS_WINDOW_RUN_H_
 #define WALKGRAPH_SOLVERS_WINDOW_RUN_H_
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -30,16 +31,33 @@ class WindowRun {
   const Mode& reported() const { return reported_; }
   int failed_solves() const { return failed_solves_; }
   int dropped_late() const { return dropped_late_; }
+  // Hypotheses that the window followed at once at most.
+  int most_hypotheses() const { return most_hypotheses_; }
 
  private:
+  // One explanation of what the window has seen: the same nodes and factors in every one, but
+  // solved in another mode, and with what left marginalised there.
+  struct Hypothesis {
+    SlidingWindow window;
+    Eigen::VectorXd values;  // of the graph
+    // As last weighed:
+    PointUncertainty uncertainty;  // of the window's part
+    double negative_log_mass = 0;  // of all that was ever in the window
+  };
+
   void Arrive(std::size_t node);
-  void PredictNode(std::size_t node);
+  void PredictNode(std::size_t node, const std::vector<int>& new_slow_blocks);
+  std::vector<int> TakeSlowBlocks(TimeNs now_ns);
   void AddReadyFactors(TimeNs now_ns, bool last);
-  void Solve();
-  void Restart(TimeNs now_ns);
+  void Solve(Hypothesis* hypothesis);
+  void Restart(TimeNs now_ns, bool branch);
+  void Weigh();
+  void DropRepeated();
+  void Marginalize(std::size_t first_kept);
   std::vector<int> LeavingBlocks(std::size_t first_kept) const;
   std::size_t FirstKeptNode(std::size_t newest) const;
   void Report(const std::vector<int>& blocks);
+  const SlidingWindow& window() const { return hypotheses_.front().window; }
 
   const Site& site_;
   const Evidence& evidence_;
@@ -48,15 +66,16 @@ class WindowRun {
   const WindowSettings& settings_;
   WalkGraph walk_;
   DeadReckonedPath dead_reckoning_;
-  SlidingWindow window_;
-  std::vector<int> waiting_;      // factors, by time of arrival
-  std::vector<int> slow_blocks_;  // not yet active, by time
-  std::size_t oldest_ = 0;        // node still in the window
-  bool located_ = false;          // some evidence of a place took part
+  std::vector<Hypothesis> hypotheses_;  // never empty; by mass once weighed
+  std::vector<int> waiting_;            // factors, by time of arrival
+  std::vector<int> slow_blocks_;        // not yet active, by time
+  std::size_t oldest_ = 0;              // node still in the window
+  bool located_ = false;                // some evidence of a place took part
   bool marginalized_ = false;
   Mode reported_;
   int failed_solves_ = 0;
   int dropped_late_ = 0;
+  int most_hypotheses_ = 1;
 };
 
 }  // namespace walkgraph

@@ -10,8 +10,6 @@
 namespace walkgraph {
 namespace {
 
-// A dense process costs O(n^3): above this many samples they are merged over a wider spacing.
-constexpr std::size_t kMaxSamples = 300;
 // Transmitters that the field model is fitted on; more change it by less than a step of the
 // ladders.
 constexpr std::size_t kFitTransmitters = 60;
@@ -118,7 +116,8 @@ std::map<std::uint32_t, std::vector<std::size_t>> HeardIn(const ScanList& scans)
 }  // namespace
 
 std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList& scans,
-                                                                 const TrainerSettings& settings) {
+                                                                 const TrainerSettings& settings,
+                                                                 const MapDetail& detail) {
   std::map<std::uint32_t, std::vector<FieldSample>> readings;
   for (const SurveyScan* scan : scans) {
     for (const SurveyReading& reading : scan->readings) {
@@ -129,7 +128,7 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
   for (auto& [transmitter, list] : readings) {
     double spacing_m = settings.sample_spacing_m;
     std::vector<FieldSample> merged = MergeReadings(list, spacing_m);
-    while (merged.size() > kMaxSamples) {
+    while (merged.size() > detail.max_samples) {
       spacing_m *= 1.5;
       merged = MergeReadings(list, spacing_m);
       // One sample per walk is as far as merging goes.
@@ -178,7 +177,7 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
 
 RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                   const FieldModel& model, const TrainerSettings& settings,
-                  std::size_t keep_every) {
+                  const MapDetail& detail) {
   RadioMap map;
   map.floor = floor;
   map.radio = radio;
@@ -188,8 +187,8 @@ RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList&
   const auto heard = HeardIn(scans);
   float min_log_sigma = std::numeric_limits<float>::infinity();
   std::size_t index = 0;
-  for (const auto& [transmitter, samples] : CollectSamples(scans, settings)) {
-    if (index++ % keep_every != 0) continue;
+  for (const auto& [transmitter, samples] : CollectSamples(scans, settings, detail)) {
+    if (index++ % detail.keep_every != 0) continue;
     RadioMap::TransmitterField field;
     field.transmitter = transmitter;
     SetRectangle(grid, samples, settings.margin_m, &field);

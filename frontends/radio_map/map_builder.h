@@ -22,9 +22,18 @@ struct FieldModel {
   double sigma_scale = 1;         // left-out residuals over their predicted sigma, root mean square
 };
 
+// How much of a map is built: trials do with less than the map that a site keeps.
+struct MapDetail {
+  std::size_t keep_every = 1;  // transmitters
+  // A dense process costs O(n^3): above this many samples of a transmitter they are merged over a
+  // wider spacing.
+  std::size_t max_samples = 300;
+};
+
 // The samples that each transmitter's field is trained on.
 std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList& scans,
-                                                                 const TrainerSettings& settings);
+                                                                 const TrainerSettings& settings,
+                                                                 const MapDetail& detail = {});
 
 // Root mean square of the readings' residuals over their predicted sigma when whole walks are left
 // out in turn, on an even selection of transmitters; 1 where no two walks heard anything in common.
@@ -35,11 +44,10 @@ double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
                        const TrainerSettings& settings);
 
-// The map without its calibration (n_eff and map_error_sigma_m stay 0). `keep_every` thins out the
-// transmitters for trials.
+// The map without its calibration (n_eff and map_error_sigma_m stay 0).
 RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                   const FieldModel& model, const TrainerSettings& settings,
-                  std::size_t keep_every = 1);
+                  const MapDetail& detail = {});
 
 }  // namespace walkgraph
 

@@ -15,9 +15,11 @@ namespace {
 constexpr int kFolds = 3;
 constexpr std::size_t kMinWalks = 6;
 constexpr std::size_t kWalksPerFold = 16;
+constexpr std::size_t kAllWalks = 1000;  // more of a floor add nothing
 // Trials and calibration see this many transmitters of a floor at most: more change neither.
-constexpr std::size_t kTrialTransmitters = 300;
-constexpr std::size_t kCalibrationTransmitters = 800;
+constexpr std::size_t kTrialTransmitters = 150;
+constexpr std::size_t kCalibrationTransmitters = 400;
+constexpr std::size_t kTrialSamples = 120;  // of a transmitter
 constexpr double kPieceSeconds = 20;
 constexpr double kShiftSpacingM = 2.5;
 constexpr int kShiftHalfCount = 8;
@@ -196,7 +198,8 @@ class HeldOut {
 
   bool enough() const { return by_walk_.size() >= kMinWalks; }
 
-  void AppendFold(int fold, const FieldModel& model, std::vector<Piece>* pieces) const {
+  void AppendFold(int fold, const FieldModel& model, std::size_t max_walks,
+                  std::vector<Piece>* pieces) const {
     ScanList training;
     std::vector<const ScanList*> held_out;
     int index = 0;
@@ -207,8 +210,9 @@ class HeldOut {
         training.insert(training.end(), list.begin(), list.end());
       }
     }
-    const RadioMap map = BuildMap(floor_, radio_, grid_, training, model, settings_, keep_every_);
-    const std::size_t count = std::min(kWalksPerFold, held_out.size());
+    const RadioMap map =
+        BuildMap(floor_, radio_, grid_, training, model, settings_, {keep_every_, kTrialSamples});
+    const std::size_t count = std::min(max_walks, held_out.size());
     for (std::size_t i = 0; i < count; ++i) {
       AppendPieces(map, *held_out[i * held_out.size() / count], settings_, pieces);
     }
@@ -223,9 +227,10 @@ class HeldOut {
   std::size_t keep_every_ = 1;
 };
 
-double TrialScore(const HeldOut& held_out, const FieldModel& model, int folds = 1) {
+double TrialScore(const HeldOut& held_out, const FieldModel& model,
+                  std::size_t max_walks = kWalksPerFold) {
   std::vector<Piece> pieces;
-  for (int fold = 0; fold < folds; ++fold) held_out.AppendFold(fold, model, &pieces);
+  held_out.AppendFold(0, model, max_walks, &pieces);
   const std::array hear_weights{MapCalibration().hear_weight};
   return BestCalibration(pieces, kCoarseNEff, hear_weights, kCoarseMapErrors).score;
 }
@@ -256,7 +261,7 @@ std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& gr
                                      const ScanList& scans, const TrainerSettings& settings) {
   const HeldOut held_out(floor, radio, grid, scans, settings, kTrialTransmitters);
   if (!held_out.enough()) return std::nullopt;
-  return TrialScore(held_out, FieldModel(), kFolds);
+  return TrialScore(held_out, FieldModel(), kAllWalks);
 }
 
 FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
@@ -287,7 +292,8 @@ MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const
   const HeldOut held_out(floor, radio, grid, scans, settings, kCalibrationTransmitters);
   if (!held_out.enough()) return {};
   std::vector<Piece> pieces;
-  for (int fold = 0; fold < kFolds; ++fold) held_out.AppendFold(fold, model, &pieces);
+  for (int fold = 0; fold < kFolds; ++fold)
+    held_out.AppendFold(fold, model, kWalksPerFold, &pieces);
   const Scored coarse = BestCalibration(pieces, kCoarseNEff, kHearWeights, kCoarseMapErrors);
   const std::array hear_weights{coarse.calibration.hear_weight};
   return BestCalibration(pieces, kNEff, hear_weights, kMapErrors).calibration;
