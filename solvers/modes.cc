@@ -1,5 +1,6 @@
 #include "solvers/modes.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -67,17 +68,21 @@ std::vector<std::string> CoordinateNames(const StateBlock& block) {
 
 }  // namespace
 
-bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& a,
-              const Eigen::VectorXd& b, double distinct_m) {
-  double sum = 0;
+bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& point,
+              const Eigen::VectorXd& values, const PointUncertainty& uncertainty,
+              double distinct_m) {
+  double metres = 0, sigmas = 0;  // mean squares
   int nodes = 0;
   for (const int index : part.blocks) {
     const StateBlock& block = graph.block(index);
     if (block.id.kind != BlockKind::kPosition) continue;
-    sum += (a.segment<2>(block.offset) - b.segment<2>(block.offset)).squaredNorm();
+    const Eigen::Vector2d apart = point.segment<2>(block.offset) - values.segment<2>(block.offset);
+    const Eigen::Matrix2d covariance = uncertainty.covariance[static_cast<std::size_t>(index)];
     ++nodes;
+    metres += (apart.squaredNorm() - metres) / nodes;
+    sigmas += (0.5 * apart.dot(covariance.ldlt().solve(apart)) - sigmas) / nodes;
   }
-  return sum < distinct_m * distinct_m * nodes;
+  return metres < distinct_m * distinct_m || sigmas < 1.0;
 }
 
 std::vector<double> MixtureWeights(const std::vector<double>& negative_log_masses) {
@@ -141,7 +146,8 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
   std::vector<Mode> distinct;
   for (Mode& mode : *modes) {
     const bool repeated = std::any_of(distinct.begin(), distinct.end(), [&](const Mode& other) {
-      return SamePath(walk->graph, part, mode.values, other.values, settings.distinct_m);
+      return SamePath(walk->graph, part, mode.values, other.values, other.uncertainty,
+                      settings.distinct_m);
     });
     if (repeated) continue;
     walk->graph.SetValues(mode.values);

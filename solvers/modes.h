@@ -37,10 +37,12 @@ struct Mode {
   PointUncertainty uncertainty;
 };
 
-// Whether two points of the state space have the same positions: within `distinct_m`, root mean
-// square over the part's nodes.
-bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& a,
-              const Eigen::VectorXd& b, double distinct_m);
+// Whether a point of the state space explains the walk as a mode does, `values` with `uncertainty`:
+// positions within `distinct_m`, root mean square over the part's nodes, or within a sigma of the
+// mode's own, which is much where a map's edge leaves the walk anywhere.
+bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& point,
+              const Eigen::VectorXd& values, const PointUncertainty& uncertainty,
+              double distinct_m);
 
 // Weights of a mixture, adding up to one, from the negative log masses (nats) of its parts. The
 // first, which must be the smallest, has it all where they are not finite.

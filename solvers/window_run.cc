@@ -63,15 +63,13 @@ void WindowRun::Arrive(std::size_t node) {
     hypothesis.window.AddBlock(walk_.position[node]);
     hypothesis.window.AddBlock(walk_.heading[node]);
   }
-  const bool was_located = located_;
   const bool last = node + 1 == walk_.node_ns.size();
   AddReadyFactors(now_ns, last);
   const std::size_t first_kept = FirstKeptNode(node);
-  const bool first_to_leave = !marginalized_ && first_kept > 0;
-  const bool starts = located_ && (!was_located || first_to_leave);
-  if (starts || (last && !marginalized_)) {
-    Restart(now_ns, first_to_leave || last);
-  } else if (located_) {
+  const bool full = first_kept > 0;
+  if (!marginalized_ && (last || (has_evidence_ && StartIsDue(now_ns, full)))) {
+    Restart(node, full || last);
+  } else if (has_evidence_) {
     for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
   const bool leaves = located_ && first_kept > oldest_;
@@ -163,15 +161,26 @@ void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
     if (!used) {
       ++dropped_late_;
     } else if (walk_.graph.factor(factor).absolute_position) {
-      located_ = true;
+      has_evidence_ = true;
     }
   }
   waiting_ = std::move(still_waiting);
 }
 
-// Starts anew from what the window's own evidence proposes. Only while nothing has left it. With
-// `branch` every mode worth following becomes a hypothesis, else the best alone.
-void WindowRun::Restart(TimeNs now_ns, bool branch) {
+// Proposals are made with the first evidence of a place, just before the first node would leave
+// (the window is full), and from then on whenever the window has grown by half, until the walk is
+// located.
+bool WindowRun::StartIsDue(TimeNs now_ns, bool full) const {
+  if (!started_ns_) return true;
+  if (!full) return false;
+  const TimeNs begin_ns = walk_.node_ns.front();
+  return !started_full_ || now_ns - begin_ns >= (*started_ns_ - begin_ns) * 3 / 2;
+}
+
+// Starts anew from what the window's own evidence proposes. Only while nothing has left it. Every
+// mode worth following becomes a hypothesis once the window is full, before that the best alone.
+void WindowRun::Restart(std::size_t node, bool full) {
+  const TimeNs now_ns = walk_.node_ns[node];
   const Evidence seen = EvidenceUntil(evidence_, now_ns);
   const SlidingWindow start_window = window();
   std::vector<Mode> modes;
@@ -180,18 +189,23 @@ void WindowRun::Restart(TimeNs now_ns, bool branch) {
     modes.push_back(SolveFrom(start, start_window.part(), solver_, &walk_, &failed_solves_));
   }
   RankModes(solver_, start_window.part(), &walk_, &modes);
-  const int most = branch ? std::max(1, settings_.hypotheses) : 1;
+  started_ns_ = now_ns;
+  started_full_ = full;
+  const int most = full ? std::max(1, settings_.hypotheses) : 1;
   hypotheses_.clear();
-  for (const Mode& mode : modes) {
-    if (static_cast<int>(hypotheses_.size()) == most ||
-        mode.negative_log_mass > modes.front().negative_log_mass + settings_.hypothesis_nats) {
+  for (Mode& mode : modes) {
+    if (static_cast<int>(hypotheses_.size()) == most) break;
+    if (!hypotheses_.empty() &&
+        !(mode.negative_log_mass <= modes.front().negative_log_mass + settings_.hypothesis_nats)) {
       break;
     }
-    hypotheses_.push_back({start_window, mode.values, {}, mode.negative_log_mass});
+    hypotheses_.push_back({start_window, std::move(mode.values), std::move(mode.uncertainty),
+                           mode.negative_log_mass});
   }
-  // Masses that are not finite compare to nothing.
-  if (hypotheses_.empty()) hypotheses_.push_back({start_window, modes.front().values, {}, 0});
   most_hypotheses_ = std::max(most_hypotheses_, static_cast<int>(hypotheses_.size()));
+  const Eigen::MatrixXd& covariance =
+      hypotheses_.front().uncertainty.covariance[static_cast<std::size_t>(walk_.position[node])];
+  located_ = full && covariance.trace() < settings_.located_sigma_m * settings_.located_sigma_m;
 }
 
 // Ranks the hypotheses by the posterior mass about them and drops those that need not be followed.
@@ -224,7 +238,7 @@ void WindowRun::DropRepeated() {
     const bool repeated =
         std::any_of(distinct.begin(), distinct.end(), [&](const Hypothesis& better) {
           return SamePath(walk_.graph, better.window.part(), hypothesis.values, better.values,
-                          solver_.distinct_m);
+                          better.uncertainty, solver_.distinct_m);
         });
     if (!repeated) distinct.push_back(std::move(hypothesis));
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "factors/dead_reckoning.h"
@@ -50,7 +51,8 @@ class WindowRun {
   std::vector<int> TakeSlowBlocks(TimeNs now_ns);
   void AddReadyFactors(TimeNs now_ns, bool last);
   void Solve(Hypothesis* hypothesis);
-  void Restart(TimeNs now_ns, bool branch);
+  bool StartIsDue(TimeNs now_ns, bool full) const;
+  void Restart(std::size_t node, bool full);
   void Weigh();
   void DropRepeated();
   void Marginalize(std::size_t first_kept);
@@ -70,7 +72,10 @@ class WindowRun {
   std::vector<int> waiting_;            // factors, by time of arrival
   std::vector<int> slow_blocks_;        // not yet active, by time
   std::size_t oldest_ = 0;              // node still in the window
-  bool located_ = false;                // some evidence of a place took part
+  bool has_evidence_ = false;           // some evidence of a place took part
+  std::optional<TimeNs> started_ns_;    // when proposals were last made
+  bool started_full_ = false;           // with as much evidence as the window is to hold
+  bool located_ = false;                // the last proposals agreed on a place: nodes may leave
   bool marginalized_ = false;
   Mode reported_;
   int failed_solves_ = 0;

@@ -12,9 +12,14 @@ namespace walkgraph {
 // `window`: the graph of `batch`, played in order of time as a phone would meet it.
 //   - Nodes arrive one by one, predicted from the one before by dead reckoning. Every arrival takes
 //     in the evidence that has come in by then and solves the window.
-//   - The window grows until the first evidence of a place; then it starts from the proposals that
-//     its own evidence makes, and once more just before the first node leaves, with all that it
-//     has seen.
+//   - The window grows until the walk is located. It starts from the proposals that its own
+//   evidence
+//     makes, with the first evidence of a place and again just before the first node would leave;
+//     while these leave the walk anywhere on the floor, nothing leaves and new ones are made
+//     whenever the window has grown by half.
+//   - Several hypotheses are followed until the evidence tells them apart; the best one is
+//   reported,
+//     with the covariance of their mixture.
 //   - A node that is too old leaves: it and its factors become a prior on its neighbours (see
 //     graph/sliding_window.h), and its estimate at that moment is the one reported, unless
 //     `report_newest` asks for the one at arrival.
