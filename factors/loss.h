@@ -45,6 +45,25 @@ inline RobustRow ApplyLoss(const LossSettings& loss, double z) {
   return {z, 1.0};
 }
 
+// A whitened residual's share of the cost in single precision, for sums over many positions.
+struct RobustCost {
+  float nats = 0;    // half of rho
+  float slope = 0;   // d nats / d z
+  float weight = 1;  // slope / z: what the residual counts as in a quadratic about it
+};
+
+inline RobustCost CostUnderLoss(const LossSettings& loss, float z) {
+  const float magnitude = std::abs(z), a = static_cast<float>(loss.scale);
+  if (loss.kind == LossKind::kHuber && magnitude > a) {
+    return {a * (magnitude - 0.5F * a), std::copysign(a, z), a / magnitude};
+  }
+  if (loss.kind == LossKind::kCauchy) {
+    const float ratio = z / a, weight = 1.0F / (1.0F + ratio * ratio);
+    return {0.5F * a * a * std::log1p(ratio * ratio), weight * z, weight};
+  }
+  return {0.5F * z * z, z, 1.0F};
+}
+
 // The z of a row's value: the inverse of ApplyLoss.
 inline double UndoLoss(const LossSettings& loss, double value) {
   const double squared = value * value, a = loss.scale;

@@ -43,7 +43,8 @@ std::vector<PlacedEvidence> EvidenceOnLattice(const Site& site, const Evidence& 
     const RadioMap* map = used ? site.FindMap(floor, radio) : nullptr;
     if (map == nullptr) continue;
     const auto sweeps = CollectMapSweeps(site, *map, evidence, settings.fingerprint);
-    const LikelihoodGrid grid(*map, lattice.centers_m(), settings.rssi_offset.SpreadDb());
+    const LikelihoodGrid grid(*map, lattice.centers_m(), settings.rssi_offset.SpreadDb(),
+                              settings.fingerprint.loss);
     std::vector<std::vector<float>> nats = grid.Evaluate(sweeps);
     for (std::size_t s = 0; s < sweeps.size(); ++s) {
       Append(sweeps[s].mean_heard_ns, std::move(nats[s]), &placed);

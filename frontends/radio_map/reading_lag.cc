@@ -18,6 +18,10 @@ namespace {
 constexpr std::array kLadder{-0.75, 0.0, 0.75, 1.5, 2.25};
 constexpr LagRange kRange{kLadder.front(), kLadder.back()};
 
+// Clocks of one phone agree to about a second: keeps a survey that says nothing about the lag, such
+// as one walked in a single direction, near none.
+constexpr double kPriorSigmaS = 1.0;
+
 using Scores = Eigen::Matrix<double, kLadder.size(), 1>;
 
 // Scores are noisy by a few nats and the top is broad: all of the ladder has a say.
@@ -60,7 +64,12 @@ double CalibrateReadingLag(const Building& building, const std::vector<SurveyWal
       any = true;
     }
   }
-  return any ? TopOfParabola(scores) : 0.0;
+  if (!any) return 0.0;
+  for (std::size_t l = 0; l < kLadder.size(); ++l) {
+    const double sigmas = kLadder[l] / kPriorSigmaS;
+    scores[static_cast<Eigen::Index>(l)] -= 0.5 * sigmas * sigmas;
+  }
+  return TopOfParabola(scores);
 }
 
 Evidence AlignReadings(const Site& site, Evidence evidence) {

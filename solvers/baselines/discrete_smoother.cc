@@ -50,7 +50,8 @@ class Emissions {
     const std::vector<MapSweep> sweeps =
         CollectMapSweeps(site, map, evidence, settings.fingerprint, kPartSeconds);
     if (sweeps.empty()) return;
-    const LikelihoodGrid grid(map, lattice_.centers_m(), settings.rssi_offset.SpreadDb());
+    const LikelihoodGrid grid(map, lattice_.centers_m(), settings.rssi_offset.SpreadDb(),
+                              settings.fingerprint.loss);
     const std::vector<std::vector<float>> costs = grid.Evaluate(sweeps);
     for (std::size_t s = 0; s < sweeps.size(); ++s) AddMoved(sweeps[s].mean_heard_ns, costs[s]);
     any_ = true;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "factors/loss.h"
+
 namespace walkgraph {
 namespace {
 
@@ -31,10 +33,10 @@ struct NegativeLog {
   float inverse_sigma = 0;
   float constant_nats = 0;  // log(sigma / sigma_min) - h logit
 
-  Terms At(float rssi_dbm) const {
-    const float whitened = (rssi_dbm - mean_dbm) * inverse_sigma;
-    return {0.5F * whitened * whitened + constant_nats, whitened * inverse_sigma,
-            inverse_sigma * inverse_sigma};
+  Terms At(float rssi_dbm, const LossSettings& loss) const {
+    const RobustCost cost = CostUnderLoss(loss, (rssi_dbm - mean_dbm) * inverse_sigma);
+    return {cost.nats + constant_nats, cost.slope * inverse_sigma,
+            cost.weight * inverse_sigma * inverse_sigma};
   }
 };
 
@@ -99,9 +101,10 @@ struct LikelihoodGrid::Hearing {
 };
 
 LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
-                               double rssi_offset_sigma_db)
+                               double rssi_offset_sigma_db, const LossSettings& loss)
     : map_(map),
       offset_variance_db2_(rssi_offset_sigma_db * rssi_offset_sigma_db),
+      loss_(loss),
       original_index_(positions_m.size()) {
   std::vector<FieldBasis> bases;
   bases.reserve(positions_m.size());
@@ -179,13 +182,13 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
     const FieldSamples samples = Sample(field, segments);
     for (const int current = hearing->field; hearing != hearings.end() && hearing->field == current;
          ++hearing) {
-      const Terms constant = samples.background.At(hearing->rssi_dbm);
+      const Terms constant = samples.background.At(hearing->rssi_dbm, loss_);
       background[hearing->sweep] += constant;
       const NegativeLog* at = samples.at.data();
       for (const Segment& segment : segments) {
         Terms* sum = sorted[hearing->sweep].data();
         for (std::size_t i = segment.begin; i < segment.end; ++i) {
-          sum[i] += at++->At(hearing->rssi_dbm) - constant;
+          sum[i] += at++->At(hearing->rssi_dbm, loss_) - constant;
         }
       }
     }

@@ -46,7 +46,8 @@ std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evide
       continue;
     const std::vector<MapSweep> sweeps =
         CollectMapSweeps(site, *map, evidence, settings.fingerprint);
-    const LikelihoodGrid grid(*map, points.positions_m(), settings.rssi_offset.SpreadDb());
+    const LikelihoodGrid grid(*map, points.positions_m(), settings.rssi_offset.SpreadDb(),
+                              settings.fingerprint.loss);
     const auto nats = grid.Evaluate(sweeps);
     const bool join = !epochs.empty();
     for (std::size_t s = 0; s < sweeps.size(); ++s) {

@@ -16,7 +16,10 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string WriteConfig(const std::string& text) {
-  const std::string path = testing::TempDir() + "/walkgraph_config_test.yaml";
+  // A file per test: they run at the same time.
+  const std::string path = testing::TempDir() + "/walkgraph_config_" +
+                           testing::UnitTest::GetInstance()->current_test_info()->name() +
+                           "_test.yaml";
   std::ofstream(path) << text;
   return path;
 }

@@ -69,7 +69,8 @@ class RadioWorld {
       for (std::uint32_t i = 0; i < transmitters_.size(); ++i) {
         const double rssi_dbm = ReadingDbm(i, at);
         if (chance(random_) > HearProbability(MeanDbm(i, at))) continue;
-        evidence.readings.push_back({pose.time_ns, pose.time_ns, i, static_cast<float>(rssi_dbm)});
+        const TimeNs stamp_ns = pose.time_ns - DurationNs(stamped_early_s);
+        evidence.readings.push_back({stamp_ns, stamp_ns, i, static_cast<float>(rssi_dbm)});
       }
     }
     walk.evidence = &evidence;
@@ -89,6 +90,7 @@ class RadioWorld {
   }
 
   Building building;
+  double stamped_early_s = 0;  // readings carry a time this much before they were heard
 
  private:
   std::mt19937 random_;

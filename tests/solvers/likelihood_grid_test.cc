@@ -71,6 +71,26 @@ TEST(LikelihoodGrid, IsTheFullNegativeLogLikelihood) {
   EXPECT_NEAR(nats[0][1], expected, 1e-5);
 }
 
+// Far beyond the loss's scale a reading costs a straight line, as in the graph's factor.
+TEST(LikelihoodGrid, BoundsTheSlopeOfAReadingUnderALoss) {
+  RadioMap map;
+  map.grid = {{0, 0}, 1.0, 4, 4};
+  map.sigma_min_db = 4;
+  map.hear_weight = 0;
+  map.fields.push_back({0, 0, 0, 0, 0, -60, std::log(4.0F), 0, {}, {}, {}});
+  map.silence_nats.assign(16, 0.0F);
+  const std::vector<Eigen::Vector2d> positions{{1.5, 1.5}};
+  const LossSettings huber{LossKind::kHuber, 1.5};
+  const auto cost = [&](float rssi_dbm) {
+    MapSweep sweep;
+    sweep.readings.push_back({0, rssi_dbm, 0});
+    return LikelihoodGrid(map, positions, 0.0, huber).Evaluate(std::vector{sweep})[0][0];
+  };
+  EXPECT_NEAR(cost(-64), 0.5, 1e-6);
+  EXPECT_NEAR(cost(-80), 1.5 * 5 - 0.5 * 1.5 * 1.5, 1e-5);
+  EXPECT_NEAR(cost(-84) - cost(-80), 1.5, 1e-5);
+}
+
 TEST(LikelihoodGrid, IntegratesACommonOffsetOut) {
   RadioMap map;
   map.grid = {{0, 0}, 1.0, 4, 4};
