@@ -56,7 +56,10 @@ TEST(SurveyPlacement, WalkedDistanceStandsInForASmootherWithoutAnswer) {
   for (std::size_t i = 0; i < expected.poses.size(); ++i) {
     EXPECT_EQ(placement.trajectory.poses[i].position_m, expected.poses[i].position_m);
   }
-  EXPECT_FALSE(PlaceSurveyWalk({}, truth, walk.evidence, {}).fell_back);
+  // Nobody falls back to what was asked for.
+  EXPECT_FALSE(PlaceSurveyWalk({}, truth, walk.evidence,
+                               SettingsWith("radio_map.positions=walked_distance"))
+                   .fell_back);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "graph/linear_problems.h"
@@ -48,6 +49,30 @@ double RelativeError(const MatrixXd& value, const MatrixXd& expected) {
 double ConditionNumber(const MatrixXd& matrix) {
   const VectorXd values = Eigen::JacobiSVD<MatrixXd>(matrix).singularValues();
   return values(0) / values(values.size() - 1);
+}
+
+// det of the whole information = det of what left given what stays * det of the marginal: windows
+// in different modes are weighed by it.
+TEST(MarginalizationTest, DeterminantsOfWhatLeftAndOfWhatStaysMakeTheWhole) {
+  const auto log_det = [](const MatrixXd& jacobian) {
+    return 2.0 * Eigen::JacobiSVD<MatrixXd>(jacobian).singularValues().array().log().sum();
+  };
+  RandomProblems random(8);
+  for (int trial = 0; trial < 20; ++trial) {
+    const LinearSystem system = random.Connected(8, 1e-2);
+    double left = 0;
+    const LinearFactor prior = MarginalizeBlocks(system, {0, 1, 2}, &left).value();
+    LinearSystem rest{{system.block_sizes.begin() + 3, system.block_sizes.end()}, {}};
+    const auto keep = [&rest](LinearFactor factor) {
+      for (int& block : factor.blocks) block -= 3;
+      rest.factors.push_back(std::move(factor));
+    };
+    keep(prior);
+    for (const LinearFactor& factor : system.factors) {
+      if (*std::min_element(factor.blocks.begin(), factor.blocks.end()) >= 3) keep(factor);
+    }
+    EXPECT_NEAR(left + log_det(ToDense(rest).jacobian), log_det(ToDense(system).jacobian), 1e-8);
+  }
 }
 
 TEST(MarginalizationTest, EqualsDenseMarginalUpToConditionOneMillion) {

@@ -43,5 +43,31 @@ TEST(WindowSmootherTest, TenSecondsCostLittleAgainstTheWholeWalk) {
   EXPECT_LT(window_sum, newest_sum);
 }
 
+// One access point alone leaves the walk on a ring. What left the window then would stay wrong.
+TEST(WindowSmootherTest, KeepsItsNodesUntilTheWalkIsLocated) {
+  double waiting_sum = 0, hasty_sum = 0, batch_sum = 0;
+  for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+    SyntheticSite synthetic(seed);
+    std::vector<Eigen::Vector2d> truth;
+    Evidence evidence = synthetic.Walk(kLoop, 0.1, 3.0, &truth);
+    const std::uint32_t only = evidence.readings.front().transmitter;
+    std::erase_if(evidence.readings, [&](const RadioReading& reading) {
+      return reading.heard_ns < SyntheticSite::At(25) && reading.transmitter != only;
+    });
+    const auto error = [&](double located_sigma_m) {
+      WindowSettings settings;
+      settings.located_sigma_m = located_sigma_m;
+      return MeanError(
+          WindowSmoother({}, {}, settings).Estimate(synthetic.site, evidence).trajectory, truth);
+    };
+    waiting_sum += error(5);
+    hasty_sum += error(1e6);
+    batch_sum +=
+        MeanError(BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory, truth);
+  }
+  EXPECT_LT(waiting_sum, 1.5 * batch_sum);
+  EXPECT_LT(waiting_sum, 0.8 * hasty_sum);
+}
+
 }  // namespace
 }  // namespace walkgraph
