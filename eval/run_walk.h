@@ -26,8 +26,8 @@ WalkOutcome RunWalk(const WalkRunOptions& options, const Site& site,
                     const std::vector<std::unique_ptr<Estimator>>& estimators,
                     const LoadedWalk& walk, int fold);
 
-// One method on one walk, whose readings are aligned to the site. An exception or a pose that is not finite becomes status `diverged`
-// without a trajectory.
+// One method on one walk, whose readings are aligned to the site. An exception or a pose that is
+// not finite becomes status `diverged` without a trajectory.
 EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence);
 
 }  // namespace walkgraph

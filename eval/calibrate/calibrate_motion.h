@@ -34,7 +34,8 @@ struct CalibratedValue {
 //  - prior mean and sigma: mean and spread over walks of the walk's weighted mean;
 //  - random walk: the squared difference of two legs of one walk is 2 noise + rate x time apart, a
 //    straight line fitted over all pairs;
-//  - error of a step: how the squared error of a leg grows with its steps (what it does not grow with
+//  - error of a step: how the squared error of a leg grows with its steps (what it does not grow
+//  with
 //    is the waypoints' own); sideways from legs reckoned on the gyroscope, which has no compass in
 //    it;
 //  - the absolute heading's sigma: what legs reckoned on it err beyond those on the gyroscope, as

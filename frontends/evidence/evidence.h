@@ -28,7 +28,8 @@ struct StepEvidence {
 
 enum class MotionState : std::uint8_t { kStanding, kWalking, kHandling };
 
-// Intervals tile [Evidence::begin_ns, Evidence::end_ns] without gaps where there is an accelerometer.
+// Intervals tile [Evidence::begin_ns, Evidence::end_ns] without gaps where there is an
+// accelerometer.
 struct MotionInterval {
   TimeNs begin_ns = 0;
   TimeNs end_ns = 0;
@@ -63,13 +64,14 @@ struct Evidence {
   TimeNs begin_ns = 0;  // the recorded span
   TimeNs end_ns = 0;
 
-  std::vector<StepEvidence> steps;       // by time, not overlapping
-  std::vector<MotionInterval> motion;    // by time
+  std::vector<StepEvidence> steps;     // by time, not overlapping
+  std::vector<MotionInterval> motion;  // by time
   // Integral of the gyroscope about the vertical, unwrapped, from 0 at its first sample: only
   // differences mean anything. Empty without gyroscope or gravity.
   Stream<double> gyro_yaw_rad;
-  // Walking direction as the phone's absolute sensors give it (rotation vector, else tilt-compensated
-  // magnetometer), unwrapped, with its own sigma per sample. Empty where there is neither.
+  // Walking direction as the phone's absolute sensors give it (rotation vector, else
+  // tilt-compensated magnetometer), unwrapped, with its own sigma per sample. Empty where there is
+  // neither.
   Stream<double> absolute_heading_rad;
   std::vector<double> absolute_heading_sigma_rad;  // one per absolute heading
   Stream<double> pressure_hpa;

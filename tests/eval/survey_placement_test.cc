@@ -57,9 +57,9 @@ TEST(SurveyPlacement, WalkedDistanceStandsInForASmootherWithoutAnswer) {
     EXPECT_EQ(placement.trajectory.poses[i].position_m, expected.poses[i].position_m);
   }
   // Nobody falls back to what was asked for.
-  EXPECT_FALSE(PlaceSurveyWalk({}, truth, walk.evidence,
-                               SettingsWith("radio_map.positions=walked_distance"))
-                   .fell_back);
+  EXPECT_FALSE(
+      PlaceSurveyWalk({}, truth, walk.evidence, SettingsWith("radio_map.positions=walked_distance"))
+          .fell_back);
 }
 
 }  // namespace
