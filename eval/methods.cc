@@ -40,8 +40,8 @@ constexpr MethodDescription kViterbiDescription{
 constexpr MethodDescription kWindowDescription{
     "window", "the factor graph over the last seconds, as a phone could run it",
     "Sibley, Matthies and Sukhatme, J. Field Robotics 27, 2010 (sliding window filter)",
-    "reports a node when it leaves the window (--lag=0: when it arrives); grows until the first "
-    "evidence of a place"};
+    "reports a node when it leaves the window (--lag=0: when it arrives); grows until the walk is "
+    "located; follows several hypotheses until the evidence tells them apart"};
 
 constexpr MethodDescription kBatchDescription{
     "batch", "the factor graph over the whole walk, with the covariance of every node",

@@ -15,11 +15,12 @@ namespace {
 constexpr int kFolds = 3;
 constexpr std::size_t kMinWalks = 6;
 constexpr std::size_t kWalksPerFold = 16;
-constexpr std::size_t kAllWalks = 1000;  // more of a floor add nothing
-// Trials and calibration see this many transmitters of a floor at most: more change neither.
+constexpr std::size_t kAllWalks = std::numeric_limits<std::size_t>::max();
+// Trials and calibration see this many transmitters of a floor, and samples of each, at most: a
+// hundred walks are to be trained on in seconds.
 constexpr std::size_t kTrialTransmitters = 150;
 constexpr std::size_t kCalibrationTransmitters = 400;
-constexpr std::size_t kTrialSamples = 120;  // of a transmitter
+constexpr std::size_t kTrialSamples = 120;
 constexpr double kPieceSeconds = 20;
 constexpr double kShiftSpacingM = 2.5;
 constexpr int kShiftHalfCount = 8;
