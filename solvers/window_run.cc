@@ -202,7 +202,6 @@ void WindowRun::Restart(std::size_t node, bool full) {
     hypotheses_.push_back({start_window, std::move(mode.values), std::move(mode.uncertainty),
                            mode.negative_log_mass});
   }
-  most_hypotheses_ = std::max(most_hypotheses_, static_cast<int>(hypotheses_.size()));
   const Eigen::MatrixXd& covariance =
       hypotheses_.front().uncertainty.covariance[static_cast<std::size_t>(walk_.position[node])];
   located_ = full && covariance.trace() < settings_.located_sigma_m * settings_.located_sigma_m;

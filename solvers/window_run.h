@@ -32,8 +32,6 @@ class WindowRun {
   const Mode& reported() const { return reported_; }
   int failed_solves() const { return failed_solves_; }
   int dropped_late() const { return dropped_late_; }
-  // Hypotheses that the window followed at once at most.
-  int most_hypotheses() const { return most_hypotheses_; }
 
  private:
   // One explanation of what the window has seen: the same nodes and factors in every one, but
@@ -80,7 +78,6 @@ class WindowRun {
   Mode reported_;
   int failed_solves_ = 0;
   int dropped_late_ = 0;
-  int most_hypotheses_ = 1;
 };
 
 }  // namespace walkgraph

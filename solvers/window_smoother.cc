@@ -33,10 +33,6 @@ EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsort
   WindowRun run(site, evidence, factors_, solver_, window_, floor);
   run.Play();
   EstimateResult result = Describe(site, run.walk(), {run.reported()}, solver_.mode_limit_nats);
-  if (run.most_hypotheses() > 1) {
-    result.messages.push_back("followed up to " + std::to_string(run.most_hypotheses()) +
-                              " hypotheses at once");
-  }
   if (run.failed_solves() > 0) {
     result.messages.push_back(std::to_string(run.failed_solves()) +
                               " solves failed and kept the values before");
