@@ -45,6 +45,19 @@ bool SlidingWindow::AddFactor(int factor) {
   return true;
 }
 
+void SlidingWindow::ReplacePriors(LinearPrior prior) {
+  std::fill(has_first_.begin(), has_first_.end(), false);
+  Eigen::Index row = 0;
+  for (const int b : prior.blocks) {
+    const StateBlock& block = graph_->block(b);
+    has_first_[static_cast<std::size_t>(b)] = true;
+    first_estimate_.segment(block.offset, block.size()) = prior.point.segment(row, block.size());
+    row += block.size();
+  }
+  part_.priors = {std::move(prior)};
+  left_log_determinant_ = 0;
+}
+
 bool SlidingWindow::Marginalize(const std::vector<int>& leaving) {
   std::vector<bool> is_leaving(state_.size(), false);
   for (const int block : leaving) is_leaving[static_cast<std::size_t>(block)] = true;

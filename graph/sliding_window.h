@@ -38,6 +38,10 @@ class SlidingWindow {
   // is the caller's to count. Precondition: its other blocks are active or constant.
   bool AddFactor(int factor);
 
+  // Replaces all that marginalised blocks left behind, which a caller knows to be wrong, by one
+  // prior on active blocks.
+  void ReplacePriors(LinearPrior prior);
+
   // Removes active blocks; their values stay in the graph as they are. False, and nothing changes,
   // where the linearised factors are not finite.
   bool Marginalize(const std::vector<int>& leaving);

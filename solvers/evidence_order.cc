@@ -54,4 +54,20 @@ Evidence EvidenceUntil(const Evidence& evidence, TimeNs time_ns) {
   return part;
 }
 
+Evidence EvidenceSince(const Evidence& evidence, TimeNs time_ns) {
+  Evidence part = evidence;
+  part.begin_ns = std::max(part.begin_ns, std::min(part.end_ns, time_ns));
+  std::erase_if(part.steps, [&](const StepEvidence& step) { return step.begin_ns < time_ns; });
+  std::erase_if(part.motion,
+                [&](const MotionInterval& interval) { return interval.end_ns < time_ns; });
+  if (!part.motion.empty()) {
+    part.motion.front().begin_ns = std::max(part.motion.front().begin_ns, part.begin_ns);
+  }
+  std::erase_if(part.readings,
+                [&](const RadioReading& reading) { return reading.heard_ns < time_ns; });
+  std::erase_if(part.anchors,
+                [&](const PositionAnchor& anchor) { return anchor.time_ns < time_ns; });
+  return part;
+}
+
 }  // namespace walkgraph

@@ -13,6 +13,10 @@ Evidence InCanonicalOrder(const Evidence& evidence);
 // What was there to be used by a time: readings printed, everything else measured by then.
 Evidence EvidenceUntil(const Evidence& evidence, TimeNs time_ns);
 
+// What happened from a time on: steps begun and readings heard since. Streams keep their samples
+// from before, which nothing asks for.
+Evidence EvidenceSince(const Evidence& evidence, TimeNs time_ns);
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_SOLVERS_EVIDENCE_ORDER_H_

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -72,6 +74,7 @@ void WindowRun::Arrive(std::size_t node) {
   } else if (has_evidence_) {
     for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
+  if (marginalized_) RecoverIfLost(now_ns);
   const bool leaves = located_ && first_kept > oldest_;
   if (settings_.report_newest || leaves) Weigh();
   if (settings_.report_newest) Report({walk_.position[node], walk_.heading[node]});
@@ -205,6 +208,95 @@ void WindowRun::Restart(std::size_t node, bool full) {
   const Eigen::MatrixXd& covariance =
       hypotheses_.front().uncertainty.covariance[static_cast<std::size_t>(walk_.position[node])];
   located_ = full && covariance.trace() < settings_.located_sigma_m * settings_.located_sigma_m;
+}
+
+// Once every window length the track is held against what the discrete smoother makes of the last
+// three: it sees the whole floor, where the window sees the neighbourhood of its own mode.
+void WindowRun::RecoverIfLost(TimeNs now_ns) {
+  if (checked_ns_ == 0) checked_ns_ = now_ns;
+  const TimeNs length_ns = now_ns - walk_.node_ns[oldest_];
+  if (length_ns <= 0 || now_ns - checked_ns_ < length_ns) return;
+  checked_ns_ = now_ns;
+  const Evidence recent = EvidenceSince(EvidenceUntil(evidence_, now_ns), now_ns - 3 * length_ns);
+  const DeadReckonedPath walk = DeadReckon(site_, recent, factors_);
+  const std::vector<DiscretePath> paths =
+      SmoothOnLattice(site_, recent, walk, factors_, DiscreteSettings{}, walk_.floor);
+  if (!IsLost(paths, walk)) return;
+  ++recoveries_;
+  StartFrom(paths.front(), walk);
+}
+
+// Whether no likely path of the discrete smoother is near the best hypothesis.
+bool WindowRun::IsLost(const std::vector<DiscretePath>& paths, const DeadReckonedPath& walk) const {
+  constexpr double kNearM = 15.0;  // mean distance; a mode's own error is half of that
+  const Eigen::VectorXd& values = hypotheses_.front().values;
+  for (const DiscretePath& path : paths) {
+    if (path.negative_log_posterior >
+        paths.front().negative_log_posterior + settings_.hypothesis_nats) {
+      continue;
+    }
+    double sum = 0;
+    int nodes = 0;
+    for (const int b : window().part().blocks) {
+      const StateBlock& block = walk_.graph.block(b);
+      if (block.id.kind != BlockKind::kPosition) continue;
+      sum += (path.PositionAt(walk, block.time_ns) - values.segment<2>(block.offset)).norm();
+      ++nodes;
+    }
+    if (sum < kNearM * nodes) return false;
+  }
+  return !paths.empty();
+}
+
+// Takes the track up on a path: the window's evidence stays, what left it is forgotten but for a
+// loose prior about the path.
+void WindowRun::StartFrom(const DiscretePath& path, const DeadReckonedPath& walk) {
+  constexpr double kPositionSigmaM = 10.0, kHeadingSigmaRad = 0.5;
+  Hypothesis fresh = hypotheses_.front();
+  std::vector<std::pair<int, double>> held;  // block and sigma
+  std::set<std::pair<BlockKind, int>> seen;
+  for (const int b : fresh.window.part().blocks) {
+    const StateBlock& block = walk_.graph.block(b);
+    if (block.constant) continue;
+    auto value = fresh.values.segment(block.offset, block.size());
+    double sigma = kPositionSigmaM;
+    if (block.id.kind == BlockKind::kPosition) {
+      value = path.PositionAt(walk, block.time_ns);
+    } else if (block.id.kind == BlockKind::kHeading) {
+      value[0] =
+          walk.HeadingAt(block.time_ns) + Interpolate(path.heading_offset_rad, block.time_ns);
+      sigma = kHeadingSigmaRad;
+    } else {
+      value = walk_.prior_values.segment(block.offset, block.size());
+      sigma = 2.0 * std::sqrt(fresh.uncertainty.covariance[static_cast<std::size_t>(b)](0, 0));
+    }
+    const int radio = block.id.kind == BlockKind::kRssiOffset ? block.id.index : 0;
+    if (std::isfinite(sigma) && seen.insert({block.id.kind, radio}).second) {
+      held.emplace_back(b, sigma);
+    }
+  }
+  fresh.window.ReplacePriors(LoosePrior(held, fresh.values));
+  hypotheses_ = {std::move(fresh)};
+  Solve(&hypotheses_.front());
+}
+
+LinearPrior WindowRun::LoosePrior(const std::vector<std::pair<int, double>>& held,
+                                  const Eigen::VectorXd& values) const {
+  LinearPrior prior;
+  Eigen::Index size = 0;
+  for (const auto& [b, sigma] : held) size += walk_.graph.block(b).size();
+  prior.jacobian = Eigen::MatrixXd::Zero(size, size);
+  prior.residual = Eigen::VectorXd::Zero(size);
+  prior.point.resize(size);
+  Eigen::Index row = 0;
+  for (const auto& [b, sigma] : held) {
+    const StateBlock& block = walk_.graph.block(b);
+    prior.blocks.push_back(b);
+    prior.jacobian.diagonal().segment(row, block.size()).setConstant(1.0 / sigma);
+    prior.point.segment(row, block.size()) = values.segment(block.offset, block.size());
+    row += block.size();
+  }
+  return prior;
 }
 
 // Ranks the hypotheses by the posterior mass about them and drops those that need not be followed.

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "factors/dead_reckoning.h"
@@ -12,6 +13,7 @@
 #include "frontends/radio_map/site.h"
 #include "graph/sliding_window.h"
 #include "graph/walk_graph.h"
+#include "solvers/baselines/discrete_smoother.h"
 #include "solvers/modes.h"
 #include "solvers/settings.h"
 
@@ -32,6 +34,8 @@ class WindowRun {
   const Mode& reported() const { return reported_; }
   int failed_solves() const { return failed_solves_; }
   int dropped_late() const { return dropped_late_; }
+  // How often the track was lost and taken up elsewhere.
+  int recoveries() const { return recoveries_; }
 
  private:
   // One explanation of what the window has seen: the same nodes and factors in every one, but
@@ -52,6 +56,11 @@ class WindowRun {
   bool StartIsDue(TimeNs now_ns, bool full) const;
   void Restart(std::size_t node, bool full);
   void Weigh();
+  bool IsLost(const std::vector<DiscretePath>& paths, const DeadReckonedPath& walk) const;
+  void RecoverIfLost(TimeNs now_ns);
+  LinearPrior LoosePrior(const std::vector<std::pair<int, double>>& held,
+                         const Eigen::VectorXd& values) const;
+  void StartFrom(const DiscretePath& path, const DeadReckonedPath& walk);
   void DropRepeated();
   void Marginalize(std::size_t first_kept);
   std::vector<int> LeavingBlocks(std::size_t first_kept) const;
@@ -76,6 +85,8 @@ class WindowRun {
   bool located_ = false;                // the last proposals agreed on a place: nodes may leave
   bool marginalized_ = false;
   Mode reported_;
+  TimeNs checked_ns_ = 0;  // when the track was last held against the discrete smoother's
+  int recoveries_ = 0;
   int failed_solves_ = 0;
   int dropped_late_ = 0;
 };

@@ -33,6 +33,10 @@ EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsort
   WindowRun run(site, evidence, factors_, solver_, window_, floor);
   run.Play();
   EstimateResult result = Describe(site, run.walk(), {run.reported()}, solver_.mode_limit_nats);
+  if (run.recoveries() > 0) {
+    result.messages.push_back("lost the track and took it up elsewhere " +
+                              std::to_string(run.recoveries()) + " times");
+  }
   if (run.failed_solves() > 0) {
     result.messages.push_back(std::to_string(run.failed_solves()) +
                               " solves failed and kept the values before");

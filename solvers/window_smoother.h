@@ -20,6 +20,10 @@ namespace walkgraph {
 //   - Several hypotheses are followed until the evidence tells them apart; the best one is
 //   reported,
 //     with the covariance of their mixture.
+//   - Once every window length the track is held against the discrete smoother's paths over the
+//   last
+//     three. Where it is near none of the likely ones it is lost, and taken up on the best, with a
+//     message that counts it.
 //   - A node that is too old leaves: it and its factors become a prior on its neighbours (see
 //     graph/sliding_window.h), and its estimate at that moment is the one reported, unless
 //     `report_newest` asks for the one at arrival.
