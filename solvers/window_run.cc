@@ -228,7 +228,7 @@ void WindowRun::RecoverIfLost(TimeNs now_ns) {
 
 // Whether no likely path of the discrete smoother is near the best hypothesis.
 bool WindowRun::IsLost(const std::vector<DiscretePath>& paths, const DeadReckonedPath& walk) const {
-  constexpr double kNearM = 15.0;  // mean distance; a mode's own error is half of that
+  constexpr double kNearM = 15.0;  // mean distance, our choice
   const Eigen::VectorXd& values = hypotheses_.front().values;
   for (const DiscretePath& path : paths) {
     if (path.negative_log_posterior >
