@@ -19,8 +19,9 @@ struct WindowSettings {
   int nodes = 0;                // if positive, this many nodes stay instead
   int hypotheses = 4;           // followed at once at most, until evidence tells them apart
   double hypothesis_nats = 12;  // and dropped when this much worse than the best
-  // Nodes do not leave before the position is known this well: what is marginalised while the walk
-  // may be anywhere stays wrong. Well above the spread of one mode and below that of a floor.
+  // Nodes do not leave before the oldest position is known this well over all hypotheses, and they
+  // agree about it: what is marginalised while the walk may be anywhere stays wrong. Well above the
+  // spread of one mode and below that of a floor.
   double located_sigma_m = 20;
   bool report_newest = false;  // report a node when it arrives (no lag), not when it leaves
 };
@@ -43,7 +44,7 @@ void Visit(Visitor& v, WindowSettings& s) {
   v.Field("hypothesis_nats", s.hypothesis_nats,
           "a hypothesis this much worse than the best is dropped, nats");
   v.Field("located_sigma_m", s.located_sigma_m,
-          "no node leaves before the position is known this well, m");
+          "no node leaves before the oldest position is known this well over all hypotheses, m");
   v.Field("report_newest", s.report_newest,
           "report a node when it arrives instead of when it leaves the window");
 }

@@ -75,6 +75,7 @@ void WindowRun::Arrive(std::size_t node) {
     for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
   if (marginalized_) RecoverIfLost(now_ns);
+  if (full && has_evidence_ && !located_) located_ = IsLocated();
   const bool leaves = located_ && first_kept > oldest_;
   if (settings_.report_newest || leaves) Weigh();
   if (settings_.report_newest) Report({walk_.position[node], walk_.heading[node]});
@@ -205,9 +206,17 @@ void WindowRun::Restart(std::size_t node, bool full) {
     hypotheses_.push_back({start_window, std::move(mode.values), std::move(mode.uncertainty),
                            mode.negative_log_mass});
   }
-  const Eigen::MatrixXd& covariance =
-      hypotheses_.front().uncertainty.covariance[static_cast<std::size_t>(walk_.position[node])];
-  located_ = full && covariance.trace() < settings_.located_sigma_m * settings_.located_sigma_m;
+}
+
+// Whether the oldest node, the first to leave, is known: to the configured sigma, and with less
+// between the hypotheses than within the best.
+bool WindowRun::IsLocated() {
+  Weigh();
+  const int position = walk_.position[oldest_];
+  const double variance = MixtureCovariance(position).trace();
+  const double within =
+      hypotheses_.front().uncertainty.covariance[static_cast<std::size_t>(position)].trace();
+  return variance < settings_.located_sigma_m * settings_.located_sigma_m && variance < 2 * within;
 }
 
 // Once every window length the track is held against what the discrete smoother makes of the last
@@ -368,25 +377,32 @@ std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
   return leaving;
 }
 
-// The best hypothesis's values, with the covariance of the mixture of all about them.
-void WindowRun::Report(const std::vector<int>& blocks) {
-  const Hypothesis& best = hypotheses_.front();
+// Covariance of a block about the best hypothesis's value, over the mixture of all.
+Eigen::MatrixXd WindowRun::MixtureCovariance(int block) const {
+  const StateBlock& state = walk_.graph.block(block);
   std::vector<double> masses;
   for (const Hypothesis& hypothesis : hypotheses_) masses.push_back(hypothesis.negative_log_mass);
   const std::vector<double> weights = MixtureWeights(masses);
+  const Eigen::VectorXd best = hypotheses_.front().values.segment(state.offset, state.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(state.size(), state.size());
+  for (std::size_t h = 0; h < hypotheses_.size(); ++h) {
+    Eigen::VectorXd apart = hypotheses_[h].values.segment(state.offset, state.size()) - best;
+    if (state.id.kind == BlockKind::kHeading) apart[0] = WrapAngle(apart[0]);
+    covariance +=
+        weights[h] * (hypotheses_[h].uncertainty.covariance[static_cast<std::size_t>(block)] +
+                      apart * apart.transpose());
+  }
+  return covariance;
+}
+
+// The best hypothesis's values, with the covariance of the mixture of all about them.
+void WindowRun::Report(const std::vector<int>& blocks) {
   for (const int block : blocks) {
     const StateBlock& state = walk_.graph.block(block);
-    const Eigen::VectorXd value = best.values.segment(state.offset, state.size());
-    reported_.values.segment(state.offset, state.size()) = value;
+    reported_.values.segment(state.offset, state.size()) =
+        hypotheses_.front().values.segment(state.offset, state.size());
     if (state.constant) continue;
-    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(state.size(), state.size());
-    for (std::size_t h = 0; h < hypotheses_.size(); ++h) {
-      Eigen::VectorXd apart = hypotheses_[h].values.segment(state.offset, state.size()) - value;
-      if (state.id.kind == BlockKind::kHeading) apart[0] = WrapAngle(apart[0]);
-      covariance +=
-          weights[h] * (hypotheses_[h].uncertainty.covariance[block] + apart * apart.transpose());
-    }
-    reported_.uncertainty.covariance[static_cast<std::size_t>(block)] = covariance;
+    reported_.uncertainty.covariance[static_cast<std::size_t>(block)] = MixtureCovariance(block);
   }
 }
 

@@ -56,6 +56,8 @@ class WindowRun {
   bool StartIsDue(TimeNs now_ns, bool full) const;
   void Restart(std::size_t node, bool full);
   void Weigh();
+  bool IsLocated();
+  Eigen::MatrixXd MixtureCovariance(int block) const;
   bool IsLost(const std::vector<DiscretePath>& paths, const DeadReckonedPath& walk) const;
   void RecoverIfLost(TimeNs now_ns);
   LinearPrior LoosePrior(const std::vector<std::pair<int, double>>& held,
