@@ -6,6 +6,7 @@
 #include "factors/settings.h"
 #include "frontends/radio_map/trainer.h"
 #include "frontends/settings.h"
+#include "solvers/baselines/ahf/filters.h"
 #include "solvers/baselines/dead_reckoning.h"
 #include "solvers/baselines/discrete_smoother.h"
 #include "solvers/baselines/hipe.h"
@@ -46,6 +47,7 @@ struct BaselineSettings {
   DeadReckoningSettings pdr;
   MleSettings mle;
   HipeSettings hipe;
+  AhfSettings ahf;
   DiscreteSettings viterbi;
 };
 
@@ -55,6 +57,7 @@ void Visit(Visitor& v, BaselineSettings& s) {
   v.Group("pdr", s.pdr);
   v.Group("mle", s.mle);
   v.Group("hipe", s.hipe);
+  v.Group("ahf", s.ahf);
   v.Group("viterbi", s.viterbi);
 }
 
