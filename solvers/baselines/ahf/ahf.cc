@@ -19,8 +19,8 @@ std::vector<RatedFix> RateFixes(const Site& site, const Evidence& evidence, int 
   const auto neighbour_count = static_cast<std::size_t>(std::max(1, wknn.k));
   const auto candidate_count = static_cast<std::size_t>(std::max(1, settings.candidates));
   for (const QueryScan& scan : CollectQueryScans(site, evidence, wknn.max_age_s)) {
-    std::vector<Neighbour> nearest =
-        fingerprints.Nearest(scan.signal, std::max(neighbour_count, candidate_count));
+    std::vector<Neighbour> nearest = fingerprints.Nearest(
+        scan.signal, std::max(neighbour_count, candidate_count), {wknn.refresh_weights, {}});
     std::vector<Eigen::Vector2d> candidates_m;
     for (std::size_t i = 0; i < std::min(candidate_count, nearest.size()); ++i) {
       candidates_m.push_back(fingerprints.position_m(nearest[i].fingerprint));
