@@ -7,6 +7,7 @@
 #include "eval/suggest.h"
 #include "eval/usage_error.h"
 #include "solvers/baselines/ahf/ahf.h"
+#include "solvers/baselines/tcpf/tcpf.h"
 #include "solvers/baselines/viterbi.h"
 #include "solvers/batch_smoother.h"
 #include "solvers/window_smoother.h"
@@ -80,6 +81,17 @@ std::vector<Method> SimpleMethods() {
   };
 }
 
+std::vector<Method> TcpfMethods() {
+  std::vector<Method> methods;
+  for (const TcpfMethod& method : kTcpfMethods) {
+    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+      const BaselineSettings& b = s.baselines;
+      return Own(TcpfEstimator(method, b.tcpf, b.pdr, b.wknn, s.factors));
+    }));
+  }
+  return methods;
+}
+
 std::vector<Method> AhfMethods() {
   std::vector<Method> methods;
   for (const AhfMethod& method : kAhfMethods) {
@@ -108,7 +120,7 @@ std::vector<Method> GraphMethods() {
 const std::vector<Method>& Methods() {
   static const std::vector<Method>* const kMethods = [] {
     auto* methods = new std::vector<Method>;
-    for (const auto& group : {SimpleMethods(), AhfMethods(), GraphMethods()}) {
+    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), GraphMethods()}) {
       methods->insert(methods->end(), group.begin(), group.end());
     }
     return methods;

@@ -11,6 +11,7 @@
 #include "solvers/baselines/discrete_smoother.h"
 #include "solvers/baselines/hipe.h"
 #include "solvers/baselines/mle.h"
+#include "solvers/baselines/tcpf/fusion.h"
 #include "solvers/baselines/wknn.h"
 #include "solvers/settings.h"
 
@@ -47,6 +48,7 @@ struct BaselineSettings {
   DeadReckoningSettings pdr;
   MleSettings mle;
   HipeSettings hipe;
+  TcpfSettings tcpf;
   AhfSettings ahf;
   DiscreteSettings viterbi;
 };
@@ -57,6 +59,7 @@ void Visit(Visitor& v, BaselineSettings& s) {
   v.Group("pdr", s.pdr);
   v.Group("mle", s.mle);
   v.Group("hipe", s.hipe);
+  v.Group("tcpf", s.tcpf);
   v.Group("ahf", s.ahf);
   v.Group("viterbi", s.viterbi);
 }
