@@ -28,7 +28,8 @@ struct TcpfMethod {
   MethodDescription description;
 };
 
-inline constexpr std::string_view kTcpfSource = "TCPF, Sensors 15 (2015)";
+inline constexpr std::string_view kTcpfSource =
+    "Trust Chain Positioning Fusion (TCPF), Sensors 15 (2015)";
 inline constexpr std::string_view kTcpfWifiChoices =
     "standing as the shared motion frontend says (the paper's thresholds of acceleration are not "
     "printed). A signal under the threshold counts as missing in scan and fingerprint, and a "
