@@ -51,8 +51,6 @@ TEST(WayGraph, StaysWhereNobodyMoves) {
 
 TEST(WayGraph, ComesToAnEndOnARing) {
   const WayGraph ring({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}});
-  // Half way round both ways is the same node's far side: both candidates lie 3 m beyond (4, 4)'s
-  // neighbours.
   ExpectPlaces(ReachFrom(ring, {2, 0}, 5), {{0, 3}, {4, 3}});
   EXPECT_LE(ring.Reach(ring.Project({2, 0}), 1000).size(), 8U);
 }
@@ -65,10 +63,8 @@ TEST(WayGraph, ProjectsOntoTheNearestLink) {
 
 void AddWalk(const Vector2d& from, const Vector2d& to, std::uint32_t walk,
              std::vector<SurveyPoint>* path) {
-  const double length_m = (to - from).norm();
-  for (double m = 0; m <= length_m; m += 1) {
-    path->push_back({from + m / length_m * (to - from), 1, walk});
-  }
+  const int metres = static_cast<int>((to - from).norm());
+  for (int m = 0; m <= metres; ++m) path->push_back({from + m * (to - from) / metres, 1, walk});
 }
 
 TEST(WaysFromSurvey, FindTheCrossingOfTwoStraightWalks) {
