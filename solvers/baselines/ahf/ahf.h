@@ -22,7 +22,7 @@ struct AhfMethod {
 };
 
 inline constexpr std::string_view kAhfSource =
-    "Park, Jung, Moon and Han, J. Korea Institute of Intelligent Transport Systems 12 (2013)";
+    "Park, Jung, Moon and Han, An Adaptive Hybrid Filter for WiFi-Based Positioning Systems, 2013";
 inline constexpr std::string_view kAhfOwnChoices =
     "fixes: WKNN. Ways: the building's, else of the survey walks. Speed: of the last two results, "
     "1 m/s before, 2 m/s at most; the result may leave the ways and is projected on them for the "

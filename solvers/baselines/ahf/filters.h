@@ -14,7 +14,7 @@ namespace walkgraph {
 
 struct AhfSettings {
   int candidates = 5;
-  // The median spacing of survey scans on ilc20 is 2.2 m.
+  // The median distance between successive scans of a walk is 2.2 m on ilc20 (site1, F2).
   double fingerprint_spacing_m = 2;
   double merge_m = 4;
   double straight_rad = 0.35;
@@ -37,9 +37,10 @@ void Visit(Visitor& v, AhfSettings& s) {
           "a node between two links that turn by less is no junction, rad");
   v.Field("start_speed_mps", s.start_speed_mps, "speed before there are two positions, m/s");
   v.Field("max_speed_mps", s.max_speed_mps, "nobody is taken to be faster, m/s (our choice)");
-  v.Field("fix_sigma_m", s.fix_sigma_m, "error of a Wi-Fi fix per axis, for the Kalman gain, m");
+  v.Field("fix_sigma_m", s.fix_sigma_m,
+          "error of a Wi-Fi fix per axis, for the Kalman gain, m (our choice)");
   v.Field("acceleration_sigma_mps2", s.acceleration_sigma_mps2,
-          "white acceleration per axis, for the Kalman gain and the particles, m/s^2");
+          "white acceleration per axis, for the Kalman gain and the particles, m/s^2 (our choice)");
   v.Field("seed", s.seed, "of the particles");
 }
 
