@@ -2,6 +2,7 @@
 #define WALKGRAPH_DATA_BUILDING_H_
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,13 @@ struct PlanImage {
   Eigen::Vector2d max_corner = Eigen::Vector2d::Zero();
 };
 
+// The ways that people take on a floor, as straight links between nodes: middle lines of halls.
+struct WayNetwork {
+  std::vector<Eigen::Vector2d> nodes;     // building frame
+  std::vector<std::array<int, 2>> links;  // indices of two nodes
+  bool empty() const { return links.empty(); }
+};
+
 struct Floor {
   int number = 0;
   std::string name;  // as the source calls it, "B1"
@@ -28,6 +36,7 @@ struct Floor {
   Eigen::Vector2d max_corner = Eigen::Vector2d::Zero();
   std::vector<Polygon> outline;    // empty: only the bounding box is known
   std::vector<Polygon> obstacles;  // not walkable (shops)
+  WayNetwork ways;                 // empty: not known
   PlanImage image;
 };
 

@@ -6,6 +6,8 @@
 
 #include "eval/suggest.h"
 #include "eval/usage_error.h"
+#include "solvers/baselines/ahf/ahf.h"
+#include "solvers/baselines/tcpf/tcpf.h"
 #include "solvers/baselines/viterbi.h"
 #include "solvers/batch_smoother.h"
 #include "solvers/window_smoother.h"
@@ -48,10 +50,9 @@ constexpr MethodDescription kBatchDescription{
     "Dellaert and Kaess, Factor Graphs for Robot Perception, 2017",
     "modes compared by the posterior mass about each; the covariance mixes those that are kept"};
 
-}  // namespace
-
-const std::vector<Method>& Methods() {
-  static const std::vector<Method>* const kMethods = new std::vector<Method>{
+// Position by position, dead reckoning, and HIPE.
+std::vector<Method> SimpleMethods() {
+  return {
       Describe(kNearestNeighbourDescription,
                [](const Settings& s) {
                  return Own(WknnEstimator::NearestNeighbour(s.baselines.wknn, s.factors));
@@ -77,6 +78,33 @@ const std::vector<Method>& Methods() {
                  return Own(HipeEstimator(HipeSolver::kViterbi, s.baselines.hipe, s.baselines.wknn,
                                           s.factors));
                }),
+  };
+}
+
+std::vector<Method> TcpfMethods() {
+  std::vector<Method> methods;
+  for (const TcpfMethod& method : kTcpfMethods) {
+    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+      const BaselineSettings& b = s.baselines;
+      return Own(TcpfEstimator(method, b.tcpf, b.pdr, b.wknn, s.factors));
+    }));
+  }
+  return methods;
+}
+
+std::vector<Method> AhfMethods() {
+  std::vector<Method> methods;
+  for (const AhfMethod& method : kAhfMethods) {
+    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+      return Own(AhfEstimator(method, s.baselines.ahf, s.baselines.wknn, s.factors));
+    }));
+  }
+  return methods;
+}
+
+// Our own: the lattice, the window, the whole walk.
+std::vector<Method> GraphMethods() {
+  return {
       Describe(kViterbiDescription,
                [](const Settings& s) { return Own(Viterbi(s.factors, s.baselines.viterbi)); }),
       Describe(
@@ -85,6 +113,18 @@ const std::vector<Method>& Methods() {
       Describe(kBatchDescription,
                [](const Settings& s) { return Own(BatchSmoother(s.factors, s.solver)); }),
   };
+}
+
+}  // namespace
+
+const std::vector<Method>& Methods() {
+  static const std::vector<Method>* const kMethods = [] {
+    auto* methods = new std::vector<Method>;
+    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), GraphMethods()}) {
+      methods->insert(methods->end(), group.begin(), group.end());
+    }
+    return methods;
+  }();
   return *kMethods;
 }
 

@@ -6,10 +6,12 @@
 #include "factors/settings.h"
 #include "frontends/radio_map/trainer.h"
 #include "frontends/settings.h"
+#include "solvers/baselines/ahf/filters.h"
 #include "solvers/baselines/dead_reckoning.h"
 #include "solvers/baselines/discrete_smoother.h"
 #include "solvers/baselines/hipe.h"
 #include "solvers/baselines/mle.h"
+#include "solvers/baselines/tcpf/fusion.h"
 #include "solvers/baselines/wknn.h"
 #include "solvers/settings.h"
 
@@ -46,6 +48,8 @@ struct BaselineSettings {
   DeadReckoningSettings pdr;
   MleSettings mle;
   HipeSettings hipe;
+  TcpfSettings tcpf;
+  AhfSettings ahf;
   DiscreteSettings viterbi;
 };
 
@@ -55,6 +59,8 @@ void Visit(Visitor& v, BaselineSettings& s) {
   v.Group("pdr", s.pdr);
   v.Group("mle", s.mle);
   v.Group("hipe", s.hipe);
+  v.Group("tcpf", s.tcpf);
+  v.Group("ahf", s.ahf);
   v.Group("viterbi", s.viterbi);
 }
 

@@ -36,6 +36,20 @@ std::vector<Polygon> ReadPolygons(const json& floor, const char* key) {
   return polygons;
 }
 
+WayNetwork ReadWays(const json& source) {
+  WayNetwork ways;
+  for (const json& node : source.at("nodes")) ways.nodes.push_back(ReadPoint(node));
+  const auto count = static_cast<int>(ways.nodes.size());
+  for (const json& source_link : source.at("links")) {
+    const std::array<int, 2> link = {source_link.at(0).get<int>(), source_link.at(1).get<int>()};
+    if (std::min(link[0], link[1]) < 0 || std::max(link[0], link[1]) >= count) {
+      throw json::other_error::create(0, "a link of \"ways\" to a node that is not there", nullptr);
+    }
+    ways.links.push_back(link);
+  }
+  return ways;
+}
+
 void BoundOutline(Floor* floor) {
   floor->min_corner = floor->max_corner = floor->outline.front().front();
   for (const Polygon& ring : floor->outline) {
@@ -53,6 +67,7 @@ Floor ReadFloor(const json& source, const fs::path& folder) {
   floor.height_m = source.at("height_m").get<double>();
   floor.outline = ReadPolygons(source, "outline");
   floor.obstacles = ReadPolygons(source, "obstacles");
+  if (const auto ways = source.find("ways"); ways != source.end()) floor.ways = ReadWays(*ways);
   if (source.contains("min_corner") || floor.outline.empty()) {
     floor.min_corner = ReadPoint(source.at("min_corner"));
     floor.max_corner = ReadPoint(source.at("max_corner"));
@@ -126,6 +141,12 @@ json PolygonsJson(const std::vector<Polygon>& polygons) {
   return result;
 }
 
+json WaysJson(const WayNetwork& ways) {
+  json nodes = json::array();
+  for (const Eigen::Vector2d& node : ways.nodes) nodes.push_back(PointJson(node));
+  return {{"nodes", std::move(nodes)}, {"links", ways.links}};
+}
+
 json FloorJson(const Floor& floor, const fs::path& folder) {
   json result = {{"number", floor.number},
                  {"name", floor.name},
@@ -134,6 +155,7 @@ json FloorJson(const Floor& floor, const fs::path& folder) {
                  {"max_corner", PointJson(floor.max_corner)}};
   if (!floor.outline.empty()) result["outline"] = PolygonsJson(floor.outline);
   if (!floor.obstacles.empty()) result["obstacles"] = PolygonsJson(floor.obstacles);
+  if (!floor.ways.empty()) result["ways"] = WaysJson(floor.ways);
   if (!floor.image.path.empty()) {
     result["image"] = {{"path", fs::path(floor.image.path).lexically_proximate(folder).string()},
                        {"min_corner", PointJson(floor.image.min_corner)},

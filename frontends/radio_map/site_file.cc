@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -135,6 +135,11 @@ void ArchiveFloor(A& a, F& floor) {
   Vector2(a, floor.max_corner);
   ArchivePolygons(a, floor.outline);
   ArchivePolygons(a, floor.obstacles);
+  Each(a, floor.ways.nodes, [](A& b, auto& node) { Vector2(b, node); });
+  Each(a, floor.ways.links, [](A& b, auto& link) {
+    b.Scalar(link[0]);
+    b.Scalar(link[1]);
+  });
   a.Text(floor.image.path);
   Vector2(a, floor.image.min_corner);
   Vector2(a, floor.image.max_corner);

@@ -49,7 +49,8 @@ std::vector<PositionFix> WknnFixes(const Site& site, const Evidence& evidence,
   if (fingerprints.size() == 0) return fixes;
   for (const QueryScan& scan : CollectQueryScans(site, evidence, settings.max_age_s)) {
     const auto k = static_cast<std::size_t>(std::max(1, settings.k));
-    fixes.push_back(WknnFix(fingerprints, fingerprints.Nearest(scan.signal, k)));
+    fixes.push_back(WknnFix(fingerprints,
+                            fingerprints.Nearest(scan.signal, k, {settings.refresh_weights, {}})));
     fixes.back().time_ns = scan.time_ns;
   }
   return fixes;

@@ -17,6 +17,7 @@ struct WknnSettings {
   int k = 5;
   double missing_dbm = -100;
   double max_age_s = 3;
+  bool refresh_weights = false;
 };
 
 template <typename Visitor>
@@ -24,6 +25,9 @@ void Visit(Visitor& v, WknnSettings& s) {
   v.Field("k", s.k, "nearest fingerprints that are averaged; `nn` always takes one");
   v.Field("missing_dbm", s.missing_dbm, "stands for an access point that a scan did not hear, dBm");
   v.Field("max_age_s", s.max_age_s, "readings older than this when printed are not used, s");
+  v.Field("refresh_weights", s.refresh_weights,
+          "access points count by TCPF's refresh rate at their signal, for every method that takes "
+          "these neighbours");
 }
 
 // One scan's fix: the mean of its nearest fingerprints' positions, weights 1/d (a distance of zero

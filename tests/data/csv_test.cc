@@ -129,6 +129,23 @@ TEST(BuildingJson, GivesBackWhatWasWritten) {
   EXPECT_NEAR(read.origin->rotation_rad, 0.36, 1e-12);
 }
 
+TEST(BuildingJson, KeepsTheWaysOfAFloor) {
+  Building building;
+  building.floors.resize(1);
+  building.floors[0].max_corner = {9, 9};
+  building.floors[0].ways = {{{1, 2}, {5, 2}, {5, 8}}, {{0, 1}, {1, 2}}};
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("building.json");
+  WriteBuildingJson(building, path);
+  const WayNetwork read = ReadBuildingJson(path).floors[0].ways;
+  EXPECT_EQ(read.nodes, building.floors[0].ways.nodes);
+  EXPECT_EQ(read.links, building.floors[0].ways.links);
+  folder.Write("building.json",
+               R"({"floors":[{"number":0,"height_m":0,"min_corner":[0,0],"max_corner":[9,9],)"
+               R"("ways":{"nodes":[[1,2],[5,2]],"links":[[0,2]]}}]})");
+  EXPECT_THROW(ReadBuildingJson(path), InputError);
+}
+
 TEST(BuildingJson, KnowsWhereFloorsAreJoined) {
   Building building;
   building.floors.resize(2);

@@ -29,6 +29,7 @@ Site SmallSite() {
   floor.height_m = -4.5;
   floor.max_corner = {20, 16};
   floor.outline = {{{0, 0}, {20, 0}, {20, 16}, {0, 16}}};
+  floor.ways = {{{1, 2}, {5, 2}, {5, 8}}, {{0, 1}, {1, 2}}};
   floor.obstacles = {{{5, 5}, {6, 5}, {6, 6}}, {{9, 9}, {9.5, 9}, {9.5, 10}}};
   floor.image = {"plan.png", {-1, -1}, {21, 17}};
   site.building.floors = {floor};
@@ -76,6 +77,8 @@ TEST(SiteFileTest, KeepsEveryMember) {
   const Floor* floor = site.building.FindFloor(-1);
   ASSERT_NE(floor, nullptr);
   EXPECT_EQ(floor->obstacles, before.building.floors[0].obstacles);
+  EXPECT_EQ(floor->ways.nodes, before.building.floors[0].ways.nodes);
+  EXPECT_EQ(floor->ways.links, before.building.floors[0].ways.links);
   EXPECT_EQ(floor->image.max_corner, Eigen::Vector2d(21, 17));
   EXPECT_EQ(site.transmitters, before.transmitters);
   EXPECT_EQ(site.path.back().position_m, Eigen::Vector2d(2, 2));
@@ -125,7 +128,7 @@ TEST(SiteFileTest, NoticesEveryFlippedByte) {
 TEST(SiteFileTest, NamesTheVersionThatItCannotRead) {
   std::string bytes = SerializeSite(SmallSite());
   bytes[std::string("WALKGRAPHSITE\n").size()] = 99;
-  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 2")));
+  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 3")));
 }
 
 TEST(SiteFileTest, TellsWhatIsNoSite) {
