@@ -74,7 +74,7 @@ std::optional<Mode> SolveBest(const std::vector<InitialTrajectory>& starts, cons
   }
   if (!best) return std::nullopt;
   walk->graph.SetValues(best->values);
-  best->uncertainty = ComputeUncertainty(*walk, part);
+  best->uncertainty = ComputeUncertainty(*walk, part, solver.map_error_test);
   // Where the graph cannot be inverted nothing is known of its error.
   if (!std::isfinite(best->uncertainty.log_det_hessian)) return std::nullopt;
   return best;

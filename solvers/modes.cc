@@ -12,6 +12,7 @@
 #include "graph/linearize.h"
 #include "graph/marginal_covariance.h"
 #include "graph/posterior.h"
+#include "graph/variance_component.h"
 #include "solvers/graph_solver.h"
 
 namespace walkgraph {
@@ -66,6 +67,28 @@ std::vector<std::string> CoordinateNames(const StateBlock& block) {
   return {std::string(BlockName(block.id.kind))};
 }
 
+// Where nothing tells the heading, the part's first one is uniform on the circle.
+void BoundFirstHeading(const WalkGraph& walk, const GraphPart& part, const VariableIndex& index,
+                       LinearSystem* system) {
+  if (walk.has_absolute_heading) return;
+  const auto first_heading = std::find_if(
+      part.blocks.begin(), part.blocks.end(),
+      [&walk](int block) { return walk.graph.block(block).id.kind == BlockKind::kHeading; });
+  if (first_heading == part.blocks.end()) return;
+  const double sigma_rad = std::numbers::pi / std::sqrt(3.0);
+  system->factors.push_back({{index.variable(*first_heading)},
+                             Eigen::MatrixXd::Constant(1, 1, 1.0 / sigma_rad),
+                             Eigen::VectorXd::Zero(1)});
+}
+
+std::vector<bool> BlocksOfKind(const WalkGraph& walk, const VariableIndex& index, BlockKind kind) {
+  std::vector<bool> is_of_kind;
+  for (int v = 0; v < index.size(); ++v) {
+    is_of_kind.push_back(walk.graph.block(index.block(v)).id.kind == kind);
+  }
+  return is_of_kind;
+}
+
 }  // namespace
 
 bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& point,
@@ -98,32 +121,32 @@ std::vector<double> MixtureWeights(const std::vector<double>& negative_log_masse
   return weights;
 }
 
-PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part) {
+PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part,
+                                    double map_error_test) {
   const VariableIndex index(walk.graph, part.blocks);
   LinearSystem system = Linearize(walk.graph, part, index);
-  const auto first_heading = std::find_if(
-      part.blocks.begin(), part.blocks.end(),
-      [&walk](int block) { return walk.graph.block(block).id.kind == BlockKind::kHeading; });
-  if (!walk.has_absolute_heading && first_heading != part.blocks.end()) {
-    const double sigma_rad = std::numbers::pi / std::sqrt(3.0);
-    system.factors.push_back({{index.variable(*first_heading)},
-                              Eigen::MatrixXd::Constant(1, 1, 1.0 / sigma_rad),
-                              Eigen::VectorXd::Zero(1)});
-  }
+  BoundFirstHeading(walk, part, index, &system);
   PointUncertainty result;
   for (const StateBlock& block : walk.graph.blocks()) {
     const int size = block.constant ? 0 : block.size();
     result.covariance.push_back(
         Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN()));
   }
-  const std::optional<MarginalCovariance> marginals = MarginalCovariance::Compute(system);
+  std::optional<MarginalCovariance> marginals = MarginalCovariance::Compute(system);
   if (!marginals) return result;
+  result.log_det_hessian =
+      marginals->log_determinant().value_or(std::numeric_limits<double>::infinity());
+  const std::vector<bool> is_map_error = BlocksOfKind(walk, index, BlockKind::kMapError);
+  const double inflation =
+      EstimateVarianceComponent(system, is_map_error, *marginals).Inflation(map_error_test);
+  if (inflation > 1.0) {
+    InflateVariance(inflation, is_map_error, &system);
+    marginals = MarginalCovariance::Compute(system);
+  }
   for (int v = 0; v < index.size(); ++v) {
     result.covariance[static_cast<std::size_t>(index.block(v))] = marginals->block(v).covariance;
     result.variables += system.block_sizes[static_cast<std::size_t>(v)];
   }
-  result.log_det_hessian =
-      marginals->log_determinant().value_or(std::numeric_limits<double>::infinity());
   return result;
 }
 
@@ -151,7 +174,7 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
     });
     if (repeated) continue;
     walk->graph.SetValues(mode.values);
-    mode.uncertainty = ComputeUncertainty(*walk, part);
+    mode.uncertainty = ComputeUncertainty(*walk, part, settings.map_error_test);
     mode.negative_log_mass = NegativeLogModeMass(
         mode.negative_log_density, mode.uncertainty.log_det_hessian, mode.uncertainty.variables);
     distinct.push_back(std::move(mode));

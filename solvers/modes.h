@@ -26,7 +26,12 @@ struct PointUncertainty {
 // The part linearised at the graph's values and solved for the covariance of each of its blocks.
 // Where nothing tells the heading, the part's first one is taken as uniform on the circle (variance
 // pi^2 / 3).
-PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part);
+//
+// The map error is known from other walks alone. Where those of this walk are larger than its noise
+// model allows (`map_error_test`, see SolverSettings), the covariance is that under the variance
+// that they show; the Hessian, which compares modes, stays that of the model.
+PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part,
+                                    double map_error_test);
 
 // A local maximum of the posterior.
 struct Mode {

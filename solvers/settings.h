@@ -12,6 +12,9 @@ struct SolverSettings {
   int hypotheses = 4;          // dead-reckoned starts beside those of the discrete smoother
   double mode_limit_nats = 6;  // modes this much worse than the best are dropped
   double distinct_m = 1.0;     // root mean square distance under which two solutions are one mode
+  // Chance under the noise model that map errors are as large as a walk's, below which its
+  // covariance takes what they show instead. The usual level of a global test (our choice).
+  double map_error_test = 0.05;
 };
 
 struct WindowSettings {
@@ -35,6 +38,10 @@ void Visit(Visitor& v, SolverSettings& s) {
           "dead-reckoned starts beside the paths of the discrete smoother");
   v.Field("mode_limit_nats", s.mode_limit_nats, "modes this much worse than the best are dropped");
   v.Field("distinct_m", s.distinct_m, "solutions closer than this (RMS) are one mode, m");
+  v.Field(
+      "map_error_test", s.map_error_test,
+      "where a walk's map errors are less likely than this under the noise model, its covariance "
+      "takes the variance that they show; 0: never");
 }
 template <typename Visitor>
 void Visit(Visitor& v, WindowSettings& s) {

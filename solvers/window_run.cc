@@ -313,7 +313,7 @@ void WindowRun::Weigh() {
   for (Hypothesis& hypothesis : hypotheses_) {
     walk_.graph.SetValues(hypothesis.values);
     const GraphPart& part = hypothesis.window.part();
-    hypothesis.uncertainty = ComputeUncertainty(walk_, part);
+    hypothesis.uncertainty = ComputeUncertainty(walk_, part, solver_.map_error_test);
     hypothesis.negative_log_mass = NegativeLogModeMass(NegativeLogDensity(walk_.graph, part),
                                                        hypothesis.uncertainty.log_det_hessian,
                                                        hypothesis.uncertainty.variables) +
