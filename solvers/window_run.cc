@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "solvers/evidence_order.h"
 #include "solvers/graph_solver.h"
 #include "solvers/initial_trajectory.h"
+#include "solvers/window_recovery.h"
 
 namespace walkgraph {
 
@@ -74,7 +74,7 @@ void WindowRun::Arrive(std::size_t node) {
   } else if (has_evidence_) {
     for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
-  if (marginalized_) RecoverIfLost(now_ns);
+  if (marginalized_) RecoverIfLost(node);
   if (full && has_evidence_ && !located_) located_ = IsLocated();
   const bool leaves = located_ && first_kept > oldest_;
   if (settings_.report_newest || leaves) Weigh();
@@ -219,93 +219,48 @@ bool WindowRun::IsLocated() {
   return variance < settings_.located_sigma_m * settings_.located_sigma_m && variance < 2 * within;
 }
 
-// Once every window length the track is held against what the discrete smoother makes of the last
-// three: it sees the whole floor, where the window sees the neighbourhood of its own mode.
-void WindowRun::RecoverIfLost(TimeNs now_ns) {
-  if (checked_ns_ == 0) checked_ns_ = now_ns;
+// Once every window length the track is held against what the whole-walk smoother makes of the last
+// three. Where it is lost the window starts anew from that: its evidence stays, what left it is
+// forgotten.
+void WindowRun::RecoverIfLost(std::size_t node) {
+  const TimeNs now_ns = walk_.node_ns[node];
+  if (!checked_ns_) checked_ns_ = now_ns;
   const TimeNs length_ns = now_ns - walk_.node_ns[oldest_];
-  if (length_ns <= 0 || now_ns - checked_ns_ < length_ns) return;
+  if (length_ns <= 0 || now_ns - *checked_ns_ < length_ns) return;
   checked_ns_ = now_ns;
-  const Evidence recent = EvidenceSince(EvidenceUntil(evidence_, now_ns), now_ns - 3 * length_ns);
-  const DeadReckonedPath walk = DeadReckon(site_, recent, factors_);
-  const std::vector<DiscretePath> paths =
-      SmoothOnLattice(site_, recent, walk, factors_, DiscreteSettings{}, walk_.floor);
-  if (!IsLost(paths, walk)) return;
+  const TimeNs since_ns = now_ns - 3 * length_ns;
+  // What speaks for the track from before that is not known, but bounded: other hypotheses were
+  // dropped when they were this much worse.
+  const double margin_nats = since_ns <= walk_.node_ns.front() ? 0.0 : settings_.hypothesis_nats;
+  const std::optional<Recovery> recovery =
+      FindLostTrack(site_, EvidenceSince(EvidenceUntil(evidence_, now_ns), since_ns), factors_,
+                    solver_, Track(since_ns, node), margin_nats, walk_.floor);
+  if (!recovery) return;
   ++recoveries_;
-  StartFrom(paths.front(), walk);
-}
-
-// Whether no likely path of the discrete smoother is near the best hypothesis.
-bool WindowRun::IsLost(const std::vector<DiscretePath>& paths, const DeadReckonedPath& walk) const {
-  constexpr double kNearM = 15.0;  // mean distance, our choice
-  const Eigen::VectorXd& values = hypotheses_.front().values;
-  for (const DiscretePath& path : paths) {
-    if (path.negative_log_posterior >
-        paths.front().negative_log_posterior + settings_.hypothesis_nats) {
-      continue;
-    }
-    double sum = 0;
-    int nodes = 0;
-    for (const int b : window().part().blocks) {
-      const StateBlock& block = walk_.graph.block(b);
-      if (block.id.kind != BlockKind::kPosition) continue;
-      sum += (path.PositionAt(walk, block.time_ns) - values.segment<2>(block.offset)).norm();
-      ++nodes;
-    }
-    if (sum < kNearM * nodes) return false;
-  }
-  return !paths.empty();
-}
-
-// Takes the track up on a path: the window's evidence stays, what left it is forgotten but for a
-// loose prior about the path.
-void WindowRun::StartFrom(const DiscretePath& path, const DeadReckonedPath& walk) {
-  constexpr double kPositionSigmaM = 10.0, kHeadingSigmaRad = 0.5;
-  Hypothesis fresh = hypotheses_.front();
-  std::vector<std::pair<int, double>> held;  // block and sigma
-  std::set<std::pair<BlockKind, int>> seen;
-  for (const int b : fresh.window.part().blocks) {
-    const StateBlock& block = walk_.graph.block(b);
-    if (block.constant) continue;
-    auto value = fresh.values.segment(block.offset, block.size());
-    double sigma = kPositionSigmaM;
-    if (block.id.kind == BlockKind::kPosition) {
-      value = path.PositionAt(walk, block.time_ns);
-    } else if (block.id.kind == BlockKind::kHeading) {
-      value[0] =
-          walk.HeadingAt(block.time_ns) + Interpolate(path.heading_offset_rad, block.time_ns);
-      sigma = kHeadingSigmaRad;
-    } else {
-      value = walk_.prior_values.segment(block.offset, block.size());
-      sigma = 2.0 * std::sqrt(fresh.uncertainty.covariance[static_cast<std::size_t>(b)](0, 0));
-    }
-    const int radio = block.id.kind == BlockKind::kRssiOffset ? block.id.index : 0;
-    if (std::isfinite(sigma) && seen.insert({block.id.kind, radio}).second) {
-      held.emplace_back(b, sigma);
-    }
-  }
-  fresh.window.ReplacePriors(LoosePrior(held, fresh.values));
-  hypotheses_ = {std::move(fresh)};
+  Hypothesis fresh = std::move(hypotheses_.front());
+  const std::vector<int>& blocks = fresh.window.part().blocks;
+  MoveTo(*recovery, walk_.graph, blocks, &fresh.values);
+  fresh.window.ReplacePriors(PriorFrom(*recovery, walk_.graph, blocks, fresh.values));
+  hypotheses_.clear();
+  hypotheses_.push_back(std::move(fresh));
   Solve(&hypotheses_.front());
 }
 
-LinearPrior WindowRun::LoosePrior(const std::vector<std::pair<int, double>>& held,
-                                  const Eigen::VectorXd& values) const {
-  LinearPrior prior;
-  Eigen::Index size = 0;
-  for (const auto& [b, sigma] : held) size += walk_.graph.block(b).size();
-  prior.jacobian = Eigen::MatrixXd::Zero(size, size);
-  prior.residual = Eigen::VectorXd::Zero(size);
-  prior.point.resize(size);
-  Eigen::Index row = 0;
-  for (const auto& [b, sigma] : held) {
-    const StateBlock& block = walk_.graph.block(b);
-    prior.blocks.push_back(b);
-    prior.jacobian.diagonal().segment(row, block.size()).setConstant(1.0 / sigma);
-    prior.point.segment(row, block.size()) = values.segment(block.offset, block.size());
-    row += block.size();
+// Where the walk went since a time: as reported, and for nodes in the window as the best hypothesis
+// has it.
+Trajectory WindowRun::Track(TimeNs since_ns, std::size_t newest) const {
+  Trajectory track;
+  for (std::size_t node = 0; node <= newest; ++node) {
+    if (walk_.node_ns[node] < since_ns) continue;
+    const Eigen::VectorXd& values = node < oldest_ ? reported_.values : hypotheses_.front().values;
+    PoseEstimate pose;
+    pose.time_ns = walk_.node_ns[node];
+    pose.floor = walk_.floor;
+    pose.position_m.head<2>() = values.segment<2>(walk_.graph.block(walk_.position[node]).offset);
+    pose.heading_rad = values[walk_.graph.block(walk_.heading[node]).offset];
+    track.poses.push_back(pose);
   }
-  return prior;
+  return track;
 }
 
 // Ranks the hypotheses by the posterior mass about them and drops those that need not be followed.

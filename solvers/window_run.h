@@ -4,16 +4,15 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "data/trajectory.h"
 #include "factors/dead_reckoning.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
 #include "graph/sliding_window.h"
 #include "graph/walk_graph.h"
-#include "solvers/baselines/discrete_smoother.h"
 #include "solvers/modes.h"
 #include "solvers/settings.h"
 
@@ -58,11 +57,8 @@ class WindowRun {
   void Weigh();
   bool IsLocated();
   Eigen::MatrixXd MixtureCovariance(int block) const;
-  bool IsLost(const std::vector<DiscretePath>& paths, const DeadReckonedPath& walk) const;
-  void RecoverIfLost(TimeNs now_ns);
-  LinearPrior LoosePrior(const std::vector<std::pair<int, double>>& held,
-                         const Eigen::VectorXd& values) const;
-  void StartFrom(const DiscretePath& path, const DeadReckonedPath& walk);
+  void RecoverIfLost(std::size_t node);
+  Trajectory Track(TimeNs since_ns, std::size_t newest) const;
   void DropRepeated();
   void Marginalize(std::size_t first_kept);
   std::vector<int> LeavingBlocks(std::size_t first_kept) const;
@@ -87,7 +83,7 @@ class WindowRun {
   bool located_ = false;                // the last proposals agreed on a place: nodes may leave
   bool marginalized_ = false;
   Mode reported_;
-  TimeNs checked_ns_ = 0;  // when the track was last held against the discrete smoother's
+  std::optional<TimeNs> checked_ns_;  // when the track was last checked
   int recoveries_ = 0;
   int failed_solves_ = 0;
   int dropped_late_ = 0;

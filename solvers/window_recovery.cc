@@ -1,0 +1,106 @@
+#include "solvers/window_recovery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "graph/graph_part.h"
+#include "solvers/initial_trajectory.h"
+
+namespace walkgraph {
+namespace {
+
+// The mode that explains the walk as `values` do; the last where none does.
+const Mode& ModeAt(const WalkGraph& walk, const std::vector<Mode>& modes,
+                   const Eigen::VectorXd& values, double distinct_m) {
+  const GraphPart whole = WholeGraph(walk.graph);
+  const auto found = std::find_if(modes.begin(), modes.end(), [&](const Mode& mode) {
+    return SamePath(walk.graph, whole, values, mode.values, mode.uncertainty, distinct_m);
+  });
+  return found == modes.end() ? modes.back() : *found;
+}
+
+// The recovery's block that says at `time_ns` what a window's block says: of a node or knot the
+// last one until then. -1 where the recovery has none.
+int Counterpart(const FactorGraph& graph, const BlockId& id, TimeNs time_ns) {
+  int counterpart = -1;
+  for (std::size_t b = 0; b < graph.blocks().size(); ++b) {
+    const StateBlock& block = graph.blocks()[b];
+    if (block.constant || block.id.kind != id.kind) continue;
+    if (id.kind == BlockKind::kRssiOffset && block.id.index != id.index) continue;
+    if (counterpart < 0 || block.time_ns <= time_ns) counterpart = static_cast<int>(b);
+  }
+  return counterpart;
+}
+
+}  // namespace
+
+std::optional<Recovery> FindLostTrack(const Site& site, const Evidence& recent,
+                                      const FactorSettings& factors, const SolverSettings& solver,
+                                      const Trajectory& track, double margin_nats, int floor) {
+  WalkGraph walk = BuildWalkGraph(site, recent, factors, floor);
+  if (!walk.first_absolute_position_ns) return std::nullopt;
+  const GraphPart whole = WholeGraph(walk.graph);
+  int failed_solves = 0;
+  std::vector<Mode> modes{SolveFrom({"track", track}, whole, solver, &walk, &failed_solves)};
+  const Eigen::VectorXd track_values = modes.front().values;
+  for (const InitialTrajectory& start : ProposeTrajectories(site, recent, factors, solver, floor)) {
+    modes.push_back(SolveFrom(start, whole, solver, &walk, &failed_solves));
+  }
+  RankModes(solver, whole, &walk, &modes);
+  const Mode& held = ModeAt(walk, modes, track_values, solver.distinct_m);
+  const Mode& best = modes.front();
+  if (!(best.negative_log_mass + margin_nats < held.negative_log_mass)) return std::nullopt;
+  Mode mode = std::move(modes.front());
+  return Recovery{std::move(walk), std::move(mode)};
+}
+
+void MoveTo(const Recovery& recovery, const FactorGraph& graph, const std::vector<int>& blocks,
+            Eigen::VectorXd* values) {
+  const Trajectory trajectory = MixModes(recovery.walk, {recovery.mode}, 0, 0);
+  for (const int b : blocks) {
+    const StateBlock& block = graph.block(b);
+    if (block.constant) continue;
+    auto value = values->segment(block.offset, block.size());
+    if (block.id.kind == BlockKind::kPosition) {
+      value = trajectory.At(block.time_ns).position_m.head<2>();
+    } else if (block.id.kind == BlockKind::kHeading) {
+      value[0] = trajectory.At(block.time_ns).heading_rad;
+    } else if (const int other = Counterpart(recovery.walk.graph, block.id, block.time_ns);
+               other >= 0) {
+      value = recovery.mode.values.segment(recovery.walk.graph.block(other).offset, block.size());
+    }
+  }
+}
+
+LinearPrior PriorFrom(const Recovery& recovery, const FactorGraph& graph,
+                      const std::vector<int>& blocks, const Eigen::VectorXd& values) {
+  LinearPrior prior;
+  std::vector<double> information;  // square root, by row
+  std::vector<double> point;
+  std::set<std::pair<BlockKind, int>> seen;
+  for (const int b : blocks) {
+    const StateBlock& block = graph.block(b);
+    const int radio = block.id.kind == BlockKind::kRssiOffset ? block.id.index : 0;
+    if (block.constant || !seen.insert({block.id.kind, radio}).second) continue;
+    const int other = Counterpart(recovery.walk.graph, block.id, block.time_ns);
+    if (other < 0) continue;
+    const Eigen::MatrixXd& covariance =
+        recovery.mode.uncertainty.covariance[static_cast<std::size_t>(other)];
+    const double sigma = std::sqrt(covariance.diagonal().maxCoeff());
+    if (!std::isfinite(sigma) || sigma <= 0) continue;
+    prior.blocks.push_back(b);
+    for (int i = 0; i < block.size(); ++i) {
+      information.push_back(1.0 / (2.0 * sigma));
+      point.push_back(values[block.offset + i]);
+    }
+  }
+  const auto rows = static_cast<Eigen::Index>(information.size());
+  prior.jacobian = Eigen::VectorXd::Map(information.data(), rows).asDiagonal();
+  prior.residual = Eigen::VectorXd::Zero(rows);
+  prior.point = Eigen::VectorXd::Map(point.data(), rows);
+  return prior;
+}
+
+}  // namespace walkgraph
