@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solvers/batch_smoother.h"
+#include "solvers/lagged_batch.h"
 #include "solvers/synthetic_site.h"
 
 namespace walkgraph {
@@ -41,6 +42,34 @@ TEST(WindowSmootherTest, TenSecondsCostLittleAgainstTheWholeWalk) {
   }
   EXPECT_LT(window_sum, 1.3 * batch_sum);
   EXPECT_LT(window_sum, newest_sum);
+}
+
+// A lag longer than the walk has seen all of it; the shorter, the less it knows.
+TEST(LaggedBatchTest, KnowsMoreTheLongerItWaits) {
+  double batch_sum = 0, lagged_sum = 0, newest_sum = 0;
+  for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+    SyntheticSite synthetic(seed);
+    std::vector<Eigen::Vector2d> truth;
+    const Evidence evidence = synthetic.Walk(kLoop, 0.1, 3.0, &truth);
+    const Trajectory batch = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
+    const auto lagged = [&](double seconds) {
+      WindowSettings window;
+      window.seconds = seconds;
+      return LaggedBatch({}, {}, window).Estimate(synthetic.site, evidence).trajectory;
+    };
+    const Trajectory all = lagged(1000);
+    ASSERT_EQ(all.poses.size(), batch.poses.size());
+    for (std::size_t i = 0; i < batch.poses.size(); ++i) {
+      EXPECT_EQ(all.poses[i].position_m, batch.poses[i].position_m);
+    }
+    const Trajectory ten = lagged(10);
+    ASSERT_EQ(ten.poses.size(), batch.poses.size());
+    batch_sum += MeanError(batch, truth);
+    lagged_sum += MeanError(ten, truth);
+    newest_sum += MeanError(lagged(0), truth);
+  }
+  EXPECT_LT(batch_sum, lagged_sum);
+  EXPECT_LT(lagged_sum, newest_sum);
 }
 
 // One access point alone leaves the walk on a ring. What left the window then would stay wrong.
