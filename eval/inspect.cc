@@ -42,6 +42,7 @@ void CountEvidence(const Evidence& evidence, std::map<std::string, std::int64_t>
   (*counts)["motion_intervals"] = static_cast<std::int64_t>(evidence.motion.size());
   (*counts)["gyro_yaw_samples"] = static_cast<std::int64_t>(evidence.gyro_yaw_rad.size());
   (*counts)["absolute_headings"] = static_cast<std::int64_t>(evidence.absolute_heading_rad.size());
+  (*counts)["barometric_heights"] = static_cast<std::int64_t>(evidence.barometric_height_m.size());
   (*counts)["readings"] = static_cast<std::int64_t>(evidence.readings.size());
 }
 

@@ -14,6 +14,8 @@ const std::vector<FactorInfo>& FactorRegistry() {
       {GaussMarkovFactor::kName, "the radio map's error fades with time"},
       {StatePriorFactor::kName, "a slow state before the walk"},
       {PositionAnchorFactor::kName, "a surveyed point was passed"},
+      {BarometricFactor::kName, "the height is the barometer's, up to a slow offset"},
+      {LevelFactor::kName, "on a level the height is the level's"},
   };
   return kRegistry;
 }

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "factors/absolute_heading.h"
+#include "factors/barometric.h"
 #include "factors/fingerprint.h"
 #include "factors/gauss_markov.h"
 #include "factors/heading_increment.h"
+#include "factors/level.h"
 #include "factors/position_hold.h"
 #include "factors/prior.h"
 #include "factors/random_walk.h"
@@ -22,7 +24,7 @@ struct FactorList {};
 using RegisteredFactors =
     FactorList<StepFactor, HeadingIncrementFactor, AbsoluteHeadingFactor, PositionHoldFactor,
                FingerprintFactor, HearingFactor, RandomWalkFactor, GaussMarkovFactor,
-               StatePriorFactor, PositionAnchorFactor>;
+               StatePriorFactor, PositionAnchorFactor, BarometricFactor, LevelFactor>;
 
 struct FactorInfo {
   std::string_view name;

@@ -10,18 +10,20 @@
 
 namespace walkgraph {
 
-// The unknowns of a walk. A node has a position and a heading; the other kinds are slow states that
-// live on knots of their own.
+// The unknowns of a walk. A node has a position, a heading and a height; the other kinds are slow
+// states that live on knots of their own.
 enum class BlockKind : std::uint8_t {
-  kPosition,       // [2] m, building frame
-  kHeading,        // [1] rad, direction of walking, unwrapped along the walk
-  kGyroBias,       // [1] rad/s, what the gyroscope adds to the true rate of turn
-  kHeadingOffset,  // [1] rad, direction of walking minus absolute heading
-  kStepScale,      // [1] true over modelled step length
-  kMapError,       // [2] m, where the radio map seems to be minus where one is
-  kRssiOffset,     // [1] dB, the map's device minus this one; one block per radio
+  kPosition,          // [2] m, building frame
+  kHeading,           // [1] rad, direction of walking, unwrapped along the walk
+  kGyroBias,          // [1] rad/s, what the gyroscope adds to the true rate of turn
+  kHeadingOffset,     // [1] rad, direction of walking minus absolute heading
+  kStepScale,         // [1] true over modelled step length
+  kMapError,          // [2] m, where the radio map seems to be minus where one is
+  kRssiOffset,        // [1] dB, the map's device minus this one; one block per radio
+  kHeight,            // [1] m, of the feet in the building frame
+  kBarometricOffset,  // [1] m, height by the barometer minus height: weather, device, altitude
 };
-inline constexpr int kBlockKindCount = 7;
+inline constexpr int kBlockKindCount = 9;
 inline constexpr int kMaxBlockSize = 2;
 
 constexpr int BlockSize(BlockKind kind) {
@@ -29,14 +31,14 @@ constexpr int BlockSize(BlockKind kind) {
 }
 
 constexpr bool IsSlowState(BlockKind kind) {
-  return kind != BlockKind::kPosition && kind != BlockKind::kHeading;
+  return kind != BlockKind::kPosition && kind != BlockKind::kHeading && kind != BlockKind::kHeight;
 }
 
 // Name of the state with its unit, as outputs write it.
 constexpr std::string_view BlockName(BlockKind kind) {
   constexpr std::string_view kNames[kBlockKindCount] = {
-      "position_m", "heading_rad", "gyro_bias_radps", "heading_offset_rad",
-      "step_scale", "map_error_m", "rssi_offset_db"};
+      "position_m",  "heading_rad",    "gyro_bias_radps", "heading_offset_rad", "step_scale",
+      "map_error_m", "rssi_offset_db", "height_m",        "barometric_offset_m"};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -35,8 +35,9 @@ Evidence BuildEvidence(const Recording& recording, const FrontendSettings& setti
       AbsoluteHeading(recording, up, evidence.gyro_yaw_rad, settings.heading, &evidence.counts);
   evidence.absolute_heading_rad = std::move(heading.heading_rad);
   evidence.absolute_heading_sigma_rad = std::move(heading.sigma_rad);
-  evidence.pressure_hpa =
-      CheckPressure(recording.pressure_hpa, settings.pressure, &evidence.counts);
+  HeightStream height = BarometricHeight(recording, settings.pressure, &evidence.counts);
+  evidence.barometric_height_m = std::move(height.height_m);
+  evidence.barometric_height_sigma_m = std::move(height.sigma_m);
   evidence.magnetic = MagneticField(recording.magnetometer_ut, up);
   evidence.transmitters = recording.transmitters;
   evidence.readings = UniqueReadings(recording, &evidence.counts);

@@ -54,6 +54,9 @@ struct HeadingQualitySettings {
 
 struct PressureSettings {
   double constant_s = 10.0;  // a sensor that repeats one value for longer than this is stuck
+  double silent_s = 5.0;     // one that ends so long before the recording has stopped
+  // Samples closer than this say the same twice: ipin2023's 6-10 Hz follow a slow wander.
+  double mean_s = 1.0;
 };
 
 struct FrontendSettings {
@@ -101,6 +104,8 @@ void Visit(Visitor& v, HeadingQualitySettings& s) {
 template <typename Visitor>
 void Visit(Visitor& v, PressureSettings& s) {
   v.Field("constant_s", s.constant_s, "one value for longer than this is a stuck sensor, s");
+  v.Field("silent_s", s.silent_s, "a barometer that ends so long before the walk has stopped, s");
+  v.Field("mean_s", s.mean_s, "pressure is averaged over this span, s");
 }
 template <typename Visitor>
 void Visit(Visitor& v, FrontendSettings& s) {

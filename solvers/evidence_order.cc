@@ -45,7 +45,7 @@ Evidence EvidenceUntil(const Evidence& evidence, TimeNs time_ns) {
   }
   CutStream(time_ns, &part.gyro_yaw_rad);
   part.absolute_heading_sigma_rad.resize(CutStream(time_ns, &part.absolute_heading_rad));
-  CutStream(time_ns, &part.pressure_hpa);
+  part.barometric_height_sigma_m.resize(CutStream(time_ns, &part.barometric_height_m));
   CutStream(time_ns, &part.magnetic);
   std::erase_if(part.readings,
                 [&](const RadioReading& reading) { return reading.printed_ns > time_ns; });

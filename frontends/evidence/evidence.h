@@ -74,7 +74,10 @@ struct Evidence {
   // neither.
   Stream<double> absolute_heading_rad;
   std::vector<double> absolute_heading_sigma_rad;  // one per absolute heading
-  Stream<double> pressure_hpa;
+  // Height in metres by the barometer (see HeightOfPressure), about one a second, each with its own
+  // sigma. Off by the weather, the device and the site's altitude: only differences mean anything.
+  Stream<double> barometric_height_m;
+  std::vector<double> barometric_height_sigma_m;  // one per barometric height
   Stream<MagneticSample> magnetic;
 
   std::vector<Transmitter> transmitters;

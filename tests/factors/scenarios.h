@@ -225,6 +225,34 @@ struct Scenario<PositionAnchorFactor> : StructScenario<PositionAnchorFactor> {
   }
 };
 
+template <>
+struct Scenario<BarometricFactor> : StructScenario<BarometricFactor> {
+  static std::vector<BlockKind> kinds() {
+    return {BlockKind::kHeight, BlockKind::kBarometricOffset};
+  }
+  explicit Scenario(Random* random) : StructScenario{{300 + 10 * Normal(random), 0.13}} {}
+  Blocks Predicted(Random* random) const { return Draw(random, 0); }
+  Blocks Sampled(Random* random) const { return Draw(random, factor.sigma_m); }
+  Scenario Moved(const Motion&) const { return *this; }
+
+ private:
+  Blocks Draw(Random* random, double noise) const {
+    const double z = 5 * Normal(random);
+    return {Scalar(z), Scalar(factor.Predict(z) + noise * Normal(random))};
+  }
+};
+
+template <>
+struct Scenario<LevelFactor> : StructScenario<LevelFactor> {
+  static std::vector<BlockKind> kinds() { return {BlockKind::kHeight}; }
+  explicit Scenario(Random* random) : StructScenario{{3 * Normal(random), 0.15}} {}
+  Blocks Predicted(Random*) const { return {Scalar(factor.height_m)}; }
+  Blocks Sampled(Random* random) const {
+    return {Scalar(factor.height_m + Normal(random, factor.sigma_m))};
+  }
+  Scenario Moved(const Motion&) const { return *this; }
+};
+
 }  // namespace walkgraph::testing
 
 #endif  // WALKGRAPH_TESTS_FACTORS_SCENARIOS_H_

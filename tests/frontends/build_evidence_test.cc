@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "frontends/pressure.h"
 #include "frontends/synthetic_walk.h"
 
 namespace walkgraph {
@@ -102,29 +101,6 @@ TEST(BuildEvidence, MovingTheClockMovesAllTimesAndNothingElse) {
   }
   EXPECT_EQ(after.gyro_yaw_rad.value, before.gyro_yaw_rad.value);
   EXPECT_EQ(after.absolute_heading_rad.value, before.absolute_heading_rad.value);
-}
-
-TEST(Pressure, ImplausibleValuesAreNamed) {
-  Stream<double> pressure;
-  for (const double p : {1013.2, 101320.0, 101.32, 5.0, 299.9, 1100.1, 1012.9}) {
-    pressure.push_back(static_cast<TimeNs>(pressure.size()) * kNsPerSecond, p);
-  }
-  std::map<std::string, std::int64_t> counts;
-  const Stream<double> good = CheckPressure(pressure, {}, &counts);
-  EXPECT_EQ(good.value, (std::vector<double>{1013.2, 1012.9}));
-  EXPECT_EQ(counts.at("pressure_in_pa"), 1);
-  EXPECT_EQ(counts.at("pressure_in_kpa"), 1);
-  EXPECT_EQ(counts.at("pressure_out_of_range"), 3);
-}
-
-TEST(Pressure, AStuckSensorIsDropped) {
-  Stream<double> pressure;
-  for (int i = 0; i < 100; ++i) pressure.push_back(i * kNsPerSecond / 5, 1000.0);
-  std::map<std::string, std::int64_t> counts;
-  EXPECT_TRUE(CheckPressure(pressure, {}, &counts).empty());
-  EXPECT_EQ(counts.at("pressure_constant"), 100);
-  pressure.value[50] += 0.01;
-  EXPECT_EQ(CheckPressure(pressure, {}, &counts).size(), 100u);
 }
 
 }  // namespace
