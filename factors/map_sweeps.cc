@@ -79,4 +79,27 @@ std::vector<MapSweep> CollectMapSweeps(const Site& site, const RadioMap& map,
   return sweeps;
 }
 
+std::vector<MapSweep> CollectMapSweeps(const Site& site, const RadioMap& map,
+                                       const Evidence& evidence,
+                                       const FingerprintSettings& settings, const FloorPath& floors,
+                                       double max_span_s) {
+  std::vector<MapSweep> sweeps = CollectMapSweeps(site, map, evidence, settings, max_span_s);
+  std::erase_if(sweeps,
+                [&](const MapSweep& sweep) { return floors.At(sweep.mean_heard_ns) != map.floor; });
+  return sweeps;
+}
+
+std::vector<const RadioMap*> MapsOnPath(const Site& site, const FingerprintSettings& settings,
+                                        const FloorPath& floors) {
+  std::vector<const RadioMap*> maps;
+  for (const int floor : floors.Floors()) {
+    for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+      const bool used = radio == Radio::kWifi ? settings.wifi : settings.beacon;
+      const RadioMap* map = used ? site.FindMap(floor, radio) : nullptr;
+      if (map != nullptr) maps.push_back(map);
+    }
+  }
+  return maps;
+}
+
 }  // namespace walkgraph

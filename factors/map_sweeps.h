@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "data/time.h"
+#include "factors/floor_path.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/radio_map.h"
@@ -38,6 +39,16 @@ std::vector<MapSweep> CollectMapSweeps(const Site& site, const RadioMap& map,
                                        const Evidence& evidence,
                                        const FingerprintSettings& settings,
                                        double max_span_s = std::numeric_limits<double>::infinity());
+
+// The same without those heard while the walk was on another floor than the map's.
+std::vector<MapSweep> CollectMapSweeps(const Site& site, const RadioMap& map,
+                                       const Evidence& evidence,
+                                       const FingerprintSettings& settings, const FloorPath& floors,
+                                       double max_span_s = std::numeric_limits<double>::infinity());
+
+// Maps of the radios that are switched on, on the floors of a walk: by floor, then radio.
+std::vector<const RadioMap*> MapsOnPath(const Site& site, const FingerprintSettings& settings,
+                                        const FloorPath& floors);
 
 }  // namespace walkgraph
 

@@ -98,6 +98,42 @@ struct RssiOffsetSettings {
   double SpreadDb() const { return mode == StateMode::kActive ? prior_sigma_db : 0.0; }
 };
 
+// Measured on ipin2023 (two phones, 38 recordings): means over a second repeat to 0.13 m.
+struct BarometricSettings {
+  bool enabled = true;
+  double sigma_m = 0.13;
+  LossSettings loss{LossKind::kHuber, 2.0};  // doors and ventilation move the air
+};
+
+// What the barometer's height has over the true one: weather, device and the site's altitude. Left
+// free at the start; its drift is that of the same recordings, phones at rest.
+struct BarometricOffsetSettings {
+  StateMode mode = StateMode::kActive;
+  double prior_mean_m = 0;
+  double prior_sigma_m = 1000;
+  double walk_m_per_sqrt_s = 0.033;
+  double knot_s = 10;
+};
+
+// Heights on a level and between levels.
+struct LevelSettings {
+  double sigma_m = 0.15;  // ramps, uneven ground, a phone held higher or lower
+  // Of a person between levels, a random walk of the height: stairs rise by 0.2 to 0.5 m/s.
+  double climb_m_per_sqrt_s = 0.5;
+};
+
+// What the discrete floor model assumes. `stay_s` and `change_s` are our choice: any within a
+// factor of three say the same where there is a barometer.
+struct FloorSettings {
+  double stay_s = 300;
+  double change_s = 20;
+  double spread_db = 8;
+  double missing_dbm = -95;
+  double n_eff = 4;  // independent readings per scan (field measurements: 3 to 4 of 100)
+  // Weight of the whole building's looks on every floor against a floor's own, by number.
+  double background = 0.3;
+};
+
 struct PriorSettings {
   double position_sigma_m = 200;  // of a walk's start about the middle of the floor
 };
@@ -113,6 +149,10 @@ struct FactorSettings {
   StepScaleSettings step_scale;
   MapErrorSettings map_error;
   RssiOffsetSettings rssi_offset;
+  BarometricSettings barometric;
+  BarometricOffsetSettings barometric_offset;
+  LevelSettings level;
+  FloorSettings floor;
   PriorSettings prior;
 };
 
@@ -198,6 +238,37 @@ void Visit(Visitor& v, RssiOffsetSettings& s) {
   v.Field("prior_sigma_db", s.prior_sigma_db, "device offset per radio, dB");
 }
 template <typename Visitor>
+void Visit(Visitor& v, BarometricSettings& s) {
+  v.Field("enabled", s.enabled, "use the barometer");
+  v.Field("sigma_m", s.sigma_m, "error of a height by the barometer, m");
+  Visit(v, s.loss);
+}
+template <typename Visitor>
+void Visit(Visitor& v, BarometricOffsetSettings& s) {
+  v.Field("mode", s.mode, "active, fixed or absent");
+  v.Field("prior_mean_m", s.prior_mean_m,
+          "height by the barometer minus height in the building frame, m");
+  v.Field("prior_sigma_m", s.prior_sigma_m, "spread of the offset over recordings, m");
+  v.Field("walk_m_per_sqrt_s", s.walk_m_per_sqrt_s, "random walk, m per sqrt(s)");
+  v.Field("knot_s", s.knot_s, "knot spacing, s");
+}
+template <typename Visitor>
+void Visit(Visitor& v, LevelSettings& s) {
+  v.Field("sigma_m", s.sigma_m, "height of a person on a level about the level's, m");
+  v.Field("climb_m_per_sqrt_s", s.climb_m_per_sqrt_s,
+          "random walk of the height between levels, m per sqrt(s)");
+}
+template <typename Visitor>
+void Visit(Visitor& v, FloorSettings& s) {
+  v.Field("stay_s", s.stay_s, "mean time on a floor, s");
+  v.Field("change_s", s.change_s, "mean time between floors, s");
+  v.Field("spread_db", s.spread_db, "difference of two scans of one place, dB");
+  v.Field("missing_dbm", s.missing_dbm, "stands for a transmitter that was not heard, dBm");
+  v.Field("n_eff", s.n_eff, "independent readings of all that is heard within a correlation time");
+  v.Field("background", s.background,
+          "weight of the whole building's looks on every floor against a floor's own");
+}
+template <typename Visitor>
 void Visit(Visitor& v, PriorSettings& s) {
   v.Field("position_sigma_m", s.position_sigma_m,
           "prior of the first position about the middle of the floor, m");
@@ -214,6 +285,10 @@ void Visit(Visitor& v, FactorSettings& s) {
   v.Group("step_scale", s.step_scale);
   v.Group("map_error", s.map_error);
   v.Group("rssi_offset", s.rssi_offset);
+  v.Group("barometric", s.barometric);
+  v.Group("barometric_offset", s.barometric_offset);
+  v.Group("level", s.level);
+  v.Group("floor", s.floor);
   v.Group("prior", s.prior);
 }
 

@@ -1,6 +1,7 @@
 #include "graph/absolute_positions.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -61,26 +62,23 @@ GraphFactor MakeHearing(const RadioMap& map, MapSweep scan) {
   return factor;
 }
 
-// A radio whose readings take part.
+// A radio whose readings take part, on one floor.
 struct HeardRadio {
   const RadioMap* map = nullptr;
   std::vector<MapSweep> scans;
 };
 
 std::vector<HeardRadio> HeardRadios(const Site& site, const Evidence& evidence,
-                                    const FingerprintSettings& settings, int floor) {
+                                    const FingerprintSettings& settings, const FloorPath& floors) {
   std::vector<HeardRadio> radios;
-  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
-    if (!(radio == Radio::kWifi ? settings.wifi : settings.beacon)) continue;
-    const RadioMap* map = site.FindMap(floor, radio);
-    if (map == nullptr) continue;
-    HeardRadio heard{map, CollectMapSweeps(site, *map, evidence, settings)};
+  for (const RadioMap* map : MapsOnPath(site, settings, floors)) {
+    HeardRadio heard{map, CollectMapSweeps(site, *map, evidence, settings, floors)};
     if (!heard.scans.empty()) radios.push_back(std::move(heard));
   }
   return radios;
 }
 
-// One state for all radios: where their maps differ, the worse is the honest one.
+// One state for all radios and floors: where their maps differ, the worse is the honest one.
 double MapErrorSigma(const std::vector<HeardRadio>& radios, const MapErrorSettings& settings) {
   if (settings.sigma_m > 0) return settings.sigma_m;
   double sigma_m = 0;
@@ -93,17 +91,22 @@ double MapErrorSigma(const std::vector<HeardRadio>& radios, const MapErrorSettin
 void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings& settings,
                WalkGraph* walk) {
   const std::vector<HeardRadio> radios =
-      HeardRadios(site, evidence, settings.fingerprint, walk->floor);
+      HeardRadios(site, evidence, settings.fingerprint, walk->floors);
   if (radios.empty()) return;
   const TimeNs begin_ns = walk->node_ns.front();
   const KnotBlocks map_error =
       AddMapErrorState(settings.map_error, MapErrorSigma(radios, settings.map_error), begin_ns,
                        walk->node_ns.back(), &walk->graph);
+  std::map<Radio, int> offsets;  // one on all floors
   for (const HeardRadio& radio : radios) {
-    const int offset = AddRssiOffsetState(settings.rssi_offset, static_cast<int>(radio.map->radio),
-                                          begin_ns, &walk->graph);
-    for (const MapSweep& part :
-         CollectMapSweeps(site, *radio.map, evidence, settings.fingerprint, kSamePlaceS)) {
+    const Radio kind = radio.map->radio;
+    if (!offsets.contains(kind)) {
+      offsets[kind] =
+          AddRssiOffsetState(settings.rssi_offset, static_cast<int>(kind), begin_ns, &walk->graph);
+    }
+    const int offset = offsets[kind];
+    for (const MapSweep& part : CollectMapSweeps(site, *radio.map, evidence, settings.fingerprint,
+                                                 walk->floors, kSamePlaceS)) {
       AddAtTime(MakeFingerprint(*radio.map, part, settings.fingerprint.loss), part.mean_heard_ns,
                 {map_error.At(part.mean_heard_ns), offset}, part.printed_ns, walk);
     }
@@ -116,7 +119,7 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
 
 void AddAnchors(const Evidence& evidence, WalkGraph* walk) {
   for (const PositionAnchor& anchor : evidence.anchors) {
-    if (anchor.floor != walk->floor) continue;
+    if (anchor.floor != walk->floors.At(anchor.time_ns)) continue;
     const PositionAnchorFactor factor{anchor.position_m.x(), anchor.position_m.y(), anchor.sigma_m};
     AddAtTime(MakeGraphFactor(factor, {}), anchor.time_ns, {}, anchor.time_ns, walk);
   }

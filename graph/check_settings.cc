@@ -36,6 +36,12 @@ void CheckSettings(const FactorSettings& s) {
   CheckPositive("map_error.correlation_s", s.map_error.correlation_s);
   CheckPositive("map_error.knot_s", s.map_error.knot_s);
   CheckPositive("rssi_offset.prior_sigma_db", s.rssi_offset.prior_sigma_db);
+  CheckPositive("barometric.sigma_m", s.barometric.sigma_m);
+  CheckPositive("barometric_offset.prior_sigma_m", s.barometric_offset.prior_sigma_m);
+  CheckPositive("barometric_offset.walk_m_per_sqrt_s", s.barometric_offset.walk_m_per_sqrt_s);
+  CheckPositive("barometric_offset.knot_s", s.barometric_offset.knot_s);
+  CheckPositive("level.sigma_m", s.level.sigma_m);
+  CheckPositive("level.climb_m_per_sqrt_s", s.level.climb_m_per_sqrt_s);
   CheckPositive("prior.position_sigma_m", s.prior.position_sigma_m);
 }
 

@@ -14,6 +14,7 @@
 #include "factors/step.h"
 #include "graph/absolute_positions.h"
 #include "graph/check_settings.h"
+#include "graph/heights.h"
 #include "graph/motion_model.h"
 #include "graph/node_times.h"
 #include "graph/slow_states.h"
@@ -24,14 +25,18 @@ namespace {
 class WalkGraphBuilder {
  public:
   WalkGraphBuilder(const Site& site, const Evidence& evidence, const FactorSettings& settings,
-                   int floor)
+                   const FloorPath& floors)
       : site_(site), evidence_(evidence), settings_(settings) {
-    walk_.floor = floor;
+    walk_.floors = floors;
     walk_.node_ns = GraphNodeTimes(evidence);
+    for (const TimeNs time : walk_.node_ns) {
+      walk_.level_m.push_back(HeightOfFloor(site, floors.At(time)));
+    }
   }
 
   WalkGraph Build() && {
     AddNodes();
+    AddHeights(evidence_, settings_, &walk_);
     AddMotion();
     AddTurns();
     AddAbsoluteHeadings();
@@ -52,7 +57,7 @@ class WalkGraphBuilder {
   }
 
   void AddNodes() {
-    const Eigen::Vector2d centre = FloorCentre(site_, walk_.floor);
+    const Eigen::Vector2d centre = FloorCentre(site_, walk_.floors.At(begin_ns()));
     for (std::size_t i = 0; i < nodes(); ++i) {
       const int index = static_cast<int>(i);
       walk_.position.push_back(
@@ -168,9 +173,20 @@ class WalkGraphBuilder {
 }  // namespace
 
 WalkGraph BuildWalkGraph(const Site& site, const Evidence& evidence, const FactorSettings& settings,
-                         int floor) {
+                         const FloorPath& floors) {
   CheckSettings(settings);
-  return WalkGraphBuilder(site, evidence, settings, floor).Build();
+  return WalkGraphBuilder(site, evidence, settings, floors).Build();
+}
+
+std::vector<int> NodeBlocks(const WalkGraph& walk, std::size_t node) {
+  std::vector<int> blocks = {walk.position[node], walk.heading[node]};
+  if (!walk.height.empty()) blocks.push_back(walk.height[node]);
+  return blocks;
+}
+
+double HeightOfFloor(const Site& site, int floor) {
+  const Floor* found = site.building.FindFloor(floor);
+  return found == nullptr ? 0.0 : found->height_m;
 }
 
 }  // namespace walkgraph

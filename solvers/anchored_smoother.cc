@@ -9,7 +9,6 @@
 #include "factors/dead_reckoning.h"
 #include "frontends/radio_map/survey_positions.h"
 #include "graph/walk_graph.h"
-#include "solvers/floors.h"
 #include "solvers/modes.h"
 
 namespace walkgraph {
@@ -104,8 +103,8 @@ std::optional<Trajectory> AnchoredSmoother::Smooth(const Building& building, con
   const std::optional<Mode> mode =
       SolveBest(Starts(site, truth, evidence, factors_), WholeGraph(walk.graph), solver_, &walk);
   if (!mode) return std::nullopt;
-  return Between(MixModes(walk, {*mode}, solver_.mode_limit_nats, HeightOfFloor(site, floor)),
-                 waypoints.front().time_ns, waypoints.back().time_ns);
+  return Between(MixModes(walk, {*mode}, solver_.mode_limit_nats), waypoints.front().time_ns,
+                 waypoints.back().time_ns);
 }
 
 }  // namespace walkgraph

@@ -1,31 +1,36 @@
 #include "solvers/batch_smoother.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "graph/graph_part.h"
+#include "graph/walk_graph.h"
+#include "solvers/baselines/floor_tracker.h"
 #include "solvers/describe.h"
 #include "solvers/evidence_order.h"
-#include "solvers/floor_solution.h"
+#include "solvers/floor_states.h"
+#include "solvers/initial_trajectory.h"
+#include "solvers/modes.h"
 
 namespace walkgraph {
 
 EstimateResult BatchSmoother::Estimate(const Site& site, const Evidence& unsorted) const {
   const Evidence evidence = InCanonicalOrder(unsorted);
-  std::vector<FloorSolution> solutions = SolveFloors(site, evidence, factors_, solver_);
-  EstimateResult result =
-      Describe(site, solutions.front().walk, solutions.front().modes, solver_.mode_limit_nats);
-  for (const FloorSolution& solution : solutions) {
-    if (solution.failed_solves > 0) {
-      result.messages.push_back("floor " + std::to_string(solution.walk.floor) + ": " +
-                                std::to_string(solution.failed_solves) +
-                                " solves failed and kept their starts");
-    }
-    if (&solution == &solutions.front()) continue;
-    for (Hypothesis& other : Hypotheses(solution.walk, solution.modes, 0)) {
-      other.kept = false;
-      result.hypotheses.push_back(std::move(other));
-    }
+  const FloorTrack track = TrackFloors(site, evidence, factors_);
+  WalkGraph walk = BuildWalkGraph(site, evidence, factors_, track.path);
+  const GraphPart whole = WholeGraph(walk.graph);
+  std::vector<Mode> modes;
+  int failed_solves = 0;
+  for (const InitialTrajectory& start :
+       ProposeTrajectories(site, evidence, factors_, solver_, track.path)) {
+    modes.push_back(SolveFrom(start, whole, solver_, &walk, &failed_solves));
+  }
+  RankModes(solver_, whole, &walk, &modes);
+  EstimateResult result = Describe(walk, modes, solver_.mode_limit_nats);
+  AppendFloorStates(track, &result.slow_states);
+  if (failed_solves > 0) {
+    result.messages.push_back(std::to_string(failed_solves) +
+                              " solves failed and kept their starts");
   }
   return result;
 }

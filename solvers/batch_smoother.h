@@ -11,9 +11,9 @@ namespace walkgraph {
 
 // `batch`: the whole walk at once. Every proposed start is refined by the same factor graph; the
 // solutions are compared by the posterior mass of their modes, and those within
-// mode_limit_nats of the best make the covariance. Where no floor is given every surveyed one is
-// tried. Where nothing says where the walk is, the answer is dead reckoning about the middle of the
-// floor with the prior's covariance, status `unobservable`.
+// mode_limit_nats of the best make the covariance. Where no floor is given the
+// floors are those of TrackFloors. Where nothing says where the walk is, the answer is dead
+// reckoning about the middle of the floor with the prior's covariance, status `unobservable`.
 class BatchSmoother : public Estimator {
  public:
   // Throws std::invalid_argument on factor settings out of range, when first used.

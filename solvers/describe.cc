@@ -5,7 +5,6 @@
 #include "graph/linearize.h"
 #include "graph/observability.h"
 #include "graph/statistics.h"
-#include "solvers/floors.h"
 
 namespace walkgraph {
 namespace {
@@ -44,11 +43,10 @@ std::vector<std::string> DescribeUnobservable(const WalkGraph& walk) {
                 {"heading", {"absolute_heading", "fingerprint", "position_anchor"}}});
 }
 
-EstimateResult Describe(const Site& site, WalkGraph& walk, const std::vector<Mode>& modes,
-                        double mode_limit_nats) {
+EstimateResult Describe(WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats) {
   EstimateResult result;
   walk.graph.SetValues(modes.front().values);
-  result.trajectory = MixModes(walk, modes, mode_limit_nats, HeightOfFloor(site, walk.floor));
+  result.trajectory = MixModes(walk, modes, mode_limit_nats);
   result.slow_states = SlowStates(walk, modes.front());
   result.hypotheses = Hypotheses(walk, modes, mode_limit_nats);
   for (const ResidualStatistics& s : ComputeStatistics(walk.graph)) {

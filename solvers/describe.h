@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "frontends/radio_map/site.h"
 #include "graph/walk_graph.h"
 #include "solvers/estimator.h"
 #include "solvers/modes.h"
@@ -14,8 +13,7 @@ namespace walkgraph {
 // A solution as an estimator reports it: the mixture of the kept modes, the best one's slow states
 // and statistics, and status and messages from what is observable. Leaves the walk at the best
 // mode. Precondition: at least one mode.
-EstimateResult Describe(const Site& site, WalkGraph& walk, const std::vector<Mode>& modes,
-                        double mode_limit_nats);
+EstimateResult Describe(WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats);
 
 // What no evidence of the walk tells at the graph's values, one sentence per direction, with the
 // factors that would tell it. Priors that only stand for ignorance do not count as evidence.

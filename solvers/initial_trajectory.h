@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "data/trajectory.h"
+#include "factors/floor_path.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
@@ -24,7 +25,8 @@ struct InitialTrajectory {
 // is dead reckoning about the middle of the floor.
 std::vector<InitialTrajectory> ProposeTrajectories(const Site& site, const Evidence& evidence,
                                                    const FactorSettings& factors,
-                                                   const SolverSettings& solver, int floor);
+                                                   const SolverSettings& solver,
+                                                   const FloorPath& floors);
 
 }  // namespace walkgraph
 

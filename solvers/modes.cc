@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -20,6 +21,11 @@ namespace {
 
 Eigen::Vector2d PositionOf(const WalkGraph& walk, const Eigen::VectorXd& values, std::size_t node) {
   return values.segment<2>(walk.graph.block(walk.position[node]).offset);
+}
+
+double HeightOf(const WalkGraph& walk, const Eigen::VectorXd& values, std::size_t node) {
+  return walk.height.empty() ? walk.level_m[node]
+                             : values[walk.graph.block(walk.height[node]).offset];
 }
 
 double HeadingOf(const WalkGraph& walk, const Eigen::VectorXd& values, std::size_t node) {
@@ -45,6 +51,7 @@ void MixNode(const WalkGraph& walk, const std::vector<Mode>& modes,
              const std::vector<double>& weights, std::size_t node, PoseEstimate* pose) {
   pose->covariance_xy_m2.setZero();
   pose->variance_heading_rad2 = 0;
+  if (!walk.height.empty()) pose->variance_z_m2 = 0;
   for (std::size_t m = 0; m < weights.size(); ++m) {
     const Mode& mode = modes[m];
     const Eigen::Vector2d apart = PositionOf(walk, mode.values, node) - pose->position_m.head<2>();
@@ -55,6 +62,10 @@ void MixNode(const WalkGraph& walk, const std::vector<Mode>& modes,
         weights[m] * (mode.uncertainty.covariance[position] + apart * apart.transpose());
     pose->variance_heading_rad2 +=
         weights[m] * (mode.uncertainty.covariance[heading](0, 0) + turned * turned);
+    if (walk.height.empty()) continue;
+    const auto height = static_cast<std::size_t>(walk.height[node]);
+    const double above = HeightOf(walk, mode.values, node) - pose->position_m.z();
+    pose->variance_z_m2 += weights[m] * (mode.uncertainty.covariance[height](0, 0) + above * above);
   }
 }
 
@@ -79,6 +90,23 @@ void BoundFirstHeading(const WalkGraph& walk, const GraphPart& part, const Varia
   system->factors.push_back({{index.variable(*first_heading)},
                              Eigen::MatrixXd::Constant(1, 1, 1.0 / sigma_rad),
                              Eigen::VectorXd::Zero(1)});
+}
+
+// The heights and the barometer of a part, which nothing connects with the rest.
+GraphPart HeightPart(const WalkGraph& walk, const GraphPart& part) {
+  const auto is_height = [&walk](int block) {
+    const BlockKind kind = walk.graph.block(block).id.kind;
+    return kind == BlockKind::kHeight || kind == BlockKind::kBarometricOffset;
+  };
+  GraphPart heights;
+  std::copy_if(part.blocks.begin(), part.blocks.end(), std::back_inserter(heights.blocks),
+               is_height);
+  std::copy_if(part.factors.begin(), part.factors.end(), std::back_inserter(heights.factors),
+               [&](int factor) {
+                 const std::vector<int>& blocks = walk.graph.factor(factor).blocks;
+                 return std::all_of(blocks.begin(), blocks.end(), is_height);
+               });
+  return heights;
 }
 
 std::vector<bool> BlocksOfKind(const WalkGraph& walk, const VariableIndex& index, BlockKind kind) {
@@ -153,9 +181,10 @@ PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part
 Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
                const SolverSettings& settings, WalkGraph* walk, int* failed_solves) {
   SetTrajectory(start.trajectory, walk);
-  // Without any absolute position the start is the answer: all that a solve could do is to pull the
-  // walk's first node to the middle of the floor.
-  if (walk->first_absolute_position_ns && !SolveGraph(part, settings, &walk->graph).ok) {
+  // Without any absolute position the start is the answer on the plan: all that a solve could do is
+  // to pull the walk's first node to the middle of the floor.
+  const bool placed = walk->first_absolute_position_ns.has_value();
+  if (!SolveGraph(placed ? part : HeightPart(*walk, part), settings, &walk->graph).ok) {
     ++*failed_solves;
   }
   return {start.source, walk->graph.values(), NegativeLogDensity(walk->graph, part), 0, {}};
@@ -185,8 +214,7 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
   *modes = std::move(distinct);
 }
 
-Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats,
-                    double floor_height_m) {
+Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats) {
   const std::vector<double> weights = ModeWeights(modes, KeptCount(modes, mode_limit_nats));
   Trajectory trajectory;
   double last_heading = HeadingOf(walk, modes.front().values, 0);
@@ -194,8 +222,8 @@ Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, doubl
     PoseEstimate pose;
     pose.time_ns = walk.node_ns[i];
     pose.position_m.head<2>() = PositionOf(walk, modes.front().values, i);
-    pose.position_m.z() = floor_height_m;
-    pose.floor = walk.floor;
+    pose.position_m.z() = HeightOf(walk, modes.front().values, i);
+    pose.floor = walk.floors.At(pose.time_ns);
     // A start that jumped by a turn is still a heading, but outputs are unwrapped.
     last_heading += WrapAngle(HeadingOf(walk, modes.front().values, i) - last_heading);
     pose.heading_rad = last_heading;

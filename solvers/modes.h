@@ -59,9 +59,8 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
                std::vector<Mode>* modes);
 
 // The mixture of all modes within the limit of the first: poses at the best mode, covariance about
-// them. `floor_height_m` becomes z.
-Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats,
-                    double floor_height_m);
+// them. Where the graph has no heights z is the level's, without a variance.
+Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats);
 
 // Solves the part of a walk's graph from one start and returns what it finds, without its mass. A
 // solve that fails counts in `failed_solves` and leaves the start.

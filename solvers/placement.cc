@@ -34,15 +34,12 @@ void Append(TimeNs time_ns, std::vector<float> nats, std::vector<PlacedEvidence>
 }
 
 std::vector<PlacedEvidence> EvidenceOnLattice(const Site& site, const Evidence& evidence,
-                                              const FactorSettings& settings, int floor,
-                                              const Lattice& lattice) {
+                                              const FactorSettings& settings,
+                                              const FloorPath& floors, const Lattice& lattice) {
   std::vector<PlacedEvidence> placed;
-  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
-    const bool used =
-        radio == Radio::kWifi ? settings.fingerprint.wifi : settings.fingerprint.beacon;
-    const RadioMap* map = used ? site.FindMap(floor, radio) : nullptr;
-    if (map == nullptr) continue;
-    const auto sweeps = CollectMapSweeps(site, *map, evidence, settings.fingerprint);
+  for (const RadioMap* map : MapsOnPath(site, settings.fingerprint, floors)) {
+    const auto sweeps = CollectMapSweeps(site, *map, evidence, settings.fingerprint, floors);
+    if (sweeps.empty()) continue;
     const LikelihoodGrid grid(*map, lattice.centers_m(), settings.rssi_offset.SpreadDb(),
                               settings.fingerprint.loss);
     std::vector<std::vector<float>> nats = grid.Evaluate(sweeps);
@@ -51,7 +48,7 @@ std::vector<PlacedEvidence> EvidenceOnLattice(const Site& site, const Evidence& 
     }
   }
   for (const PositionAnchor& anchor : evidence.anchors) {
-    if (anchor.floor != floor) continue;
+    if (anchor.floor != floors.At(anchor.time_ns)) continue;
     std::vector<float> nats;
     const double variance = anchor.sigma_m * anchor.sigma_m + kSpacingM * kSpacingM / 12.0;
     for (const Eigen::Vector2d& centre : lattice.centers_m()) {
@@ -123,10 +120,11 @@ Eigen::Vector2d Placement::At(const DeadReckonedPath& walk, TimeNs time_ns) cons
 
 std::vector<Placement> PlaceDeadReckoning(const Site& site, const Evidence& evidence,
                                           const DeadReckonedPath& walk,
-                                          const FactorSettings& settings, int floor, int count) {
-  const Lattice lattice(site, floor, kSpacingM, kReachM);
+                                          const FactorSettings& settings, const FloorPath& floors,
+                                          int count) {
+  const Lattice lattice(site, floors.Floors(), kSpacingM, kReachM);
   if (lattice.size() == 0) return {};
-  const auto placed = EvidenceOnLattice(site, evidence, settings, floor, lattice);
+  const auto placed = EvidenceOnLattice(site, evidence, settings, floors, lattice);
   if (placed.empty()) return {};
   std::vector<Placement> all;
   for (const Rotation& rotation : Rotations(walk, settings.heading_offset)) {

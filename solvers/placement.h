@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "factors/dead_reckoning.h"
+#include "factors/floor_path.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
@@ -24,10 +25,11 @@ struct Placement {
 // Correlational matching: lays the walk at every surveyed cell of a coarse lattice and in every
 // likely direction, and returns the best distinct placements, best first, at most `count`.
 // Directions are -20 to 20 degrees about an absolute heading, or all round where there is none.
-// Empty where the evidence holds no position that the floor knows.
+// Evidence of a time is looked up on the floor of that time; empty where it holds no position.
 std::vector<Placement> PlaceDeadReckoning(const Site& site, const Evidence& evidence,
                                           const DeadReckonedPath& walk,
-                                          const FactorSettings& settings, int floor, int count);
+                                          const FactorSettings& settings, const FloorPath& floors,
+                                          int count);
 
 }  // namespace walkgraph
 

@@ -38,14 +38,16 @@ int Counterpart(const FactorGraph& graph, const BlockId& id, TimeNs time_ns) {
 
 std::optional<Recovery> FindLostTrack(const Site& site, const Evidence& recent,
                                       const FactorSettings& factors, const SolverSettings& solver,
-                                      const Trajectory& track, double margin_nats, int floor) {
-  WalkGraph walk = BuildWalkGraph(site, recent, factors, floor);
+                                      const Trajectory& track, double margin_nats,
+                                      const FloorPath& floors) {
+  WalkGraph walk = BuildWalkGraph(site, recent, factors, floors);
   if (!walk.first_absolute_position_ns) return std::nullopt;
   const GraphPart whole = WholeGraph(walk.graph);
   int failed_solves = 0;
   std::vector<Mode> modes{SolveFrom({"track", track}, whole, solver, &walk, &failed_solves)};
   const Eigen::VectorXd track_values = modes.front().values;
-  for (const InitialTrajectory& start : ProposeTrajectories(site, recent, factors, solver, floor)) {
+  for (const InitialTrajectory& start :
+       ProposeTrajectories(site, recent, factors, solver, floors)) {
     modes.push_back(SolveFrom(start, whole, solver, &walk, &failed_solves));
   }
   RankModes(solver, whole, &walk, &modes);
@@ -58,7 +60,7 @@ std::optional<Recovery> FindLostTrack(const Site& site, const Evidence& recent,
 
 void MoveTo(const Recovery& recovery, const FactorGraph& graph, const std::vector<int>& blocks,
             Eigen::VectorXd* values) {
-  const Trajectory trajectory = MixModes(recovery.walk, {recovery.mode}, 0, 0);
+  const Trajectory trajectory = MixModes(recovery.walk, {recovery.mode}, 0);
   for (const int b : blocks) {
     const StateBlock& block = graph.block(b);
     if (block.constant) continue;
@@ -67,6 +69,8 @@ void MoveTo(const Recovery& recovery, const FactorGraph& graph, const std::vecto
       value = trajectory.At(block.time_ns).position_m.head<2>();
     } else if (block.id.kind == BlockKind::kHeading) {
       value[0] = trajectory.At(block.time_ns).heading_rad;
+    } else if (block.id.kind == BlockKind::kHeight) {
+      value[0] = trajectory.At(block.time_ns).position_m.z();
     } else if (const int other = Counterpart(recovery.walk.graph, block.id, block.time_ns);
                other >= 0) {
       value = recovery.mode.values.segment(recovery.walk.graph.block(other).offset, block.size());

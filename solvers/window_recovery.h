@@ -29,7 +29,8 @@ struct Recovery {
 // compare. `track` holds positions and headings over the recent evidence.
 std::optional<Recovery> FindLostTrack(const Site& site, const Evidence& recent,
                                       const FactorSettings& factors, const SolverSettings& solver,
-                                      const Trajectory& track, double margin_nats, int floor);
+                                      const Trajectory& track, double margin_nats,
+                                      const FloorPath& floors);
 
 // Moves blocks of a window to a recovery: nodes to its trajectory, slow states to its own that hold
 // at their time. `blocks` are the window's, `values` those of its graph.

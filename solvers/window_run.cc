@@ -18,13 +18,14 @@
 namespace walkgraph {
 
 WindowRun::WindowRun(const Site& site, const Evidence& evidence, const FactorSettings& factors,
-                     const SolverSettings& solver, const WindowSettings& settings, int floor)
+                     const SolverSettings& solver, const WindowSettings& settings,
+                     const FloorPath& floors)
     : site_(site),
       evidence_(evidence),
       factors_(factors),
       solver_(solver),
       settings_(settings),
-      walk_(BuildWalkGraph(site, evidence, factors, floor)),
+      walk_(BuildWalkGraph(site, evidence, factors, floors)),
       dead_reckoning_(DeadReckon(site, evidence, factors)) {
   const FactorGraph& graph = walk_.graph;
   hypotheses_.push_back({SlidingWindow(&walk_.graph), graph.values(), {}, 0});
@@ -62,8 +63,7 @@ void WindowRun::Arrive(std::size_t node) {
     PredictNode(node, slow_blocks);
     hypothesis.values = walk_.graph.values();
     for (const int block : slow_blocks) hypothesis.window.AddBlock(block);
-    hypothesis.window.AddBlock(walk_.position[node]);
-    hypothesis.window.AddBlock(walk_.heading[node]);
+    for (const int block : NodeBlocks(walk_, node)) hypothesis.window.AddBlock(block);
   }
   const bool last = node + 1 == walk_.node_ns.size();
   AddReadyFactors(now_ns, last);
@@ -78,7 +78,7 @@ void WindowRun::Arrive(std::size_t node) {
   if (full && has_evidence_ && !located_) located_ = IsLocated();
   const bool leaves = located_ && first_kept > oldest_;
   if (settings_.report_newest || leaves) Weigh();
-  if (settings_.report_newest) Report({walk_.position[node], walk_.heading[node]});
+  if (settings_.report_newest) Report(NodeBlocks(walk_, node));
   if (leaves) Marginalize(first_kept);
 }
 
@@ -189,7 +189,7 @@ void WindowRun::Restart(std::size_t node, bool full) {
   const SlidingWindow start_window = window();
   std::vector<Mode> modes;
   for (const InitialTrajectory& start :
-       ProposeTrajectories(site_, seen, factors_, solver_, walk_.floor)) {
+       ProposeTrajectories(site_, seen, factors_, solver_, walk_.floors)) {
     modes.push_back(SolveFrom(start, start_window.part(), solver_, &walk_, &failed_solves_));
   }
   RankModes(solver_, start_window.part(), &walk_, &modes);
@@ -234,7 +234,7 @@ void WindowRun::RecoverIfLost(std::size_t node) {
   const double margin_nats = since_ns <= walk_.node_ns.front() ? 0.0 : settings_.hypothesis_nats;
   const std::optional<Recovery> recovery =
       FindLostTrack(site_, EvidenceSince(EvidenceUntil(evidence_, now_ns), since_ns), factors_,
-                    solver_, Track(since_ns, node), margin_nats, walk_.floor);
+                    solver_, Track(since_ns, node), margin_nats, walk_.floors);
   if (!recovery) return;
   ++recoveries_;
   Hypothesis fresh = std::move(hypotheses_.front());
@@ -255,7 +255,7 @@ Trajectory WindowRun::Track(TimeNs since_ns, std::size_t newest) const {
     const Eigen::VectorXd& values = node < oldest_ ? reported_.values : hypotheses_.front().values;
     PoseEstimate pose;
     pose.time_ns = walk_.node_ns[node];
-    pose.floor = walk_.floor;
+    pose.floor = walk_.floors.At(pose.time_ns);
     pose.position_m.head<2>() = values.segment<2>(walk_.graph.block(walk_.position[node]).offset);
     pose.heading_rad = values[walk_.graph.block(walk_.heading[node]).offset];
     track.poses.push_back(pose);
@@ -316,8 +316,8 @@ std::size_t WindowRun::FirstKeptNode(std::size_t newest) const {
 std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
   std::vector<int> leaving;
   for (std::size_t node = oldest_; node < first_kept; ++node) {
-    leaving.push_back(walk_.position[node]);
-    leaving.push_back(walk_.heading[node]);
+    const std::vector<int> blocks = NodeBlocks(walk_, node);
+    leaving.insert(leaving.end(), blocks.begin(), blocks.end());
   }
   for (const int block : window().part().blocks) {
     const StateBlock& state = walk_.graph.block(block);

@@ -8,6 +8,7 @@
 
 #include "data/trajectory.h"
 #include "factors/dead_reckoning.h"
+#include "factors/floor_path.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
@@ -18,12 +19,12 @@
 
 namespace walkgraph {
 
-// One walk played through a sliding window on one floor.
+// One walk, whose floors are known, played through a sliding window.
 class WindowRun {
  public:
   // Keeps references: all arguments must outlive the run.
   WindowRun(const Site& site, const Evidence& evidence, const FactorSettings& factors,
-            const SolverSettings& solver, const WindowSettings& settings, int floor);
+            const SolverSettings& solver, const WindowSettings& settings, const FloorPath& floors);
 
   // Plays the whole walk.
   void Play();

@@ -1,38 +1,25 @@
 #include "solvers/window_smoother.h"
 
-#include <algorithm>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "solvers/baselines/floor_tracker.h"
 #include "solvers/describe.h"
 #include "solvers/evidence_order.h"
-#include "solvers/floor_solution.h"
-#include "solvers/floors.h"
+#include "solvers/floor_states.h"
 #include "solvers/window_run.h"
 
 namespace walkgraph {
-namespace {
-
-// The given floor, else the one that explains the first window best.
-int ChooseFloor(const Site& site, const Evidence& evidence, const FactorSettings& factors,
-                const SolverSettings& solver, const WindowSettings& window) {
-  const std::vector<int> floors = CandidateFloors(site, evidence);
-  if (floors.size() == 1) return floors.front();
-  TimeNs until_ns = evidence.begin_ns + DurationNs(window.seconds);
-  if (!evidence.readings.empty()) {
-    until_ns = std::max(until_ns, evidence.readings.front().printed_ns);
-  }
-  return SolveFloors(site, EvidenceUntil(evidence, until_ns), factors, solver).front().walk.floor;
-}
-
-}  // namespace
 
 EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsorted) const {
   const Evidence evidence = InCanonicalOrder(unsorted);
-  const int floor = ChooseFloor(site, evidence, factors_, solver_, window_);
-  WindowRun run(site, evidence, factors_, solver_, window_, floor);
+  // What is known of a node's floor when the node is reported.
+  const double lag_s = window_.report_newest ? 0.0 : window_.seconds;
+  const FloorTrack track = TrackFloors(site, evidence, factors_, lag_s);
+  WindowRun run(site, evidence, factors_, solver_, window_, track.path);
   run.Play();
-  EstimateResult result = Describe(site, run.walk(), {run.reported()}, solver_.mode_limit_nats);
+  EstimateResult result = Describe(run.walk(), {run.reported()}, solver_.mode_limit_nats);
+  AppendFloorStates(track, &result.slow_states);
   if (run.recoveries() > 0) {
     result.messages.push_back("lost the track and took it up elsewhere " +
                               std::to_string(run.recoveries()) + " times");

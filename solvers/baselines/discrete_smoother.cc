@@ -46,9 +46,9 @@ class Emissions {
         nats_(times_.size(), std::vector<float>(lattice.size(), 0.0F)) {}
 
   void AddSweeps(const Site& site, const RadioMap& map, const Evidence& evidence,
-                 const FactorSettings& settings) {
+                 const FactorSettings& settings, const FloorPath& floors) {
     const std::vector<MapSweep> sweeps =
-        CollectMapSweeps(site, map, evidence, settings.fingerprint, kPartSeconds);
+        CollectMapSweeps(site, map, evidence, settings.fingerprint, floors, kPartSeconds);
     if (sweeps.empty()) return;
     const LikelihoodGrid grid(map, lattice_.centers_m(), settings.rssi_offset.SpreadDb(),
                               settings.fingerprint.loss);
@@ -384,18 +384,16 @@ Eigen::Vector2d DiscretePath::PositionAt(const DeadReckonedPath& walk, TimeNs ti
 std::vector<DiscretePath> SmoothOnLattice(const Site& site, const Evidence& evidence,
                                           const DeadReckonedPath& walk,
                                           const FactorSettings& factors,
-                                          const DiscreteSettings& settings, int floor) {
-  const Lattice lattice(site, floor, settings.spacing_m, settings.reach_m);
+                                          const DiscreteSettings& settings,
+                                          const FloorPath& floors) {
+  const Lattice lattice(site, floors.Floors(), settings.spacing_m, settings.reach_m);
   if (lattice.size() == 0) return {};
   Emissions emissions(lattice, walk, EpochTimes(evidence, settings.epoch_s));
-  const bool radio_on[kRadioCount] = {factors.fingerprint.wifi, factors.fingerprint.beacon};
-  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
-    const RadioMap* map = site.FindMap(floor, radio);
-    if (map == nullptr || !radio_on[static_cast<int>(radio)]) continue;
-    emissions.AddSweeps(site, *map, evidence, factors);
+  for (const RadioMap* map : MapsOnPath(site, factors.fingerprint, floors)) {
+    emissions.AddSweeps(site, *map, evidence, factors, floors);
   }
   for (const PositionAnchor& anchor : evidence.anchors) {
-    if (anchor.floor == floor) emissions.AddAnchor(anchor);
+    if (anchor.floor == floors.At(anchor.time_ns)) emissions.AddAnchor(anchor);
   }
   if (!emissions.any()) return {};
 

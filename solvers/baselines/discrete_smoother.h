@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "factors/dead_reckoning.h"
+#include "factors/floor_path.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
@@ -46,15 +47,17 @@ struct DiscretePath {
   Eigen::Vector2d PositionAt(const DeadReckonedPath& walk, TimeNs time_ns) const;
 };
 
-// The most probable paths on one floor (Viterbi over cell and heading-offset bin), best first:
-// walk, radio map and noise are the graph's, with the step noise and half a cell's quantisation on
-// every transition. Where nothing gives an absolute heading the bins cover the circle; where there
-// is no heading at all a transition is a disc as wide as the distance walked. Empty where the floor
-// has no cells or the evidence holds neither readings that the site knows nor anchors on the floor.
+// The most probable paths, on which the floors are known (Viterbi over cell and heading-offset
+// bin), best first: evidence of a time is looked up on the floor of that time, and walk, radio map
+// and noise are the graph's, with the step noise and half a cell's quantisation on every
+// transition. Where nothing gives an absolute heading the bins cover the circle; where there is no
+// heading at all a transition is a disc as wide as the distance walked. Empty where the floors have
+// no cells or the evidence holds neither readings that they know nor anchors on them.
 std::vector<DiscretePath> SmoothOnLattice(const Site& site, const Evidence& evidence,
                                           const DeadReckonedPath& walk,
                                           const FactorSettings& factors,
-                                          const DiscreteSettings& settings, int floor);
+                                          const DiscreteSettings& settings,
+                                          const FloorPath& floors);
 
 }  // namespace walkgraph
 

@@ -2,6 +2,7 @@
 #define WALKGRAPH_SOLVERS_BASELINES_LATTICE_H_
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,12 +10,13 @@
 
 namespace walkgraph {
 
-// Square cells over the part of a floor where a walk may be: inside the outline (the bounding box
-// of everything surveyed where there is none) and within `reach_m` of a survey path, for what lies
-// farther off no method can know.
+// Square cells over the part of the given floors where a walk may be: inside the outline (the
+// bounding box of everything surveyed where there is none) and within `reach_m` of a survey path,
+// for what lies farther off no method can know. Floors lie above one another in one frame: a cell
+// is a place on the plan, allowed where one of them allows it.
 class Lattice {
  public:
-  Lattice(const Site& site, int floor, double spacing_m, double reach_m);
+  Lattice(const Site& site, const std::vector<int>& floors, double spacing_m, double reach_m);
 
   static constexpr std::int32_t kNoCell = -1;
 
@@ -32,6 +34,9 @@ class Lattice {
   }
 
  private:
+  // Of a square of the bounding box, whose lower left corner is `low`.
+  Eigen::Vector2d Center(const Eigen::Vector2d& low, std::size_t square) const;
+
   double spacing_m_;
   int columns_ = 0, rows_ = 0;
   std::vector<std::int32_t> index_;  // of each square of the bounding box, row-major

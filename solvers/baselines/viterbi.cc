@@ -1,8 +1,10 @@
 #include "solvers/baselines/viterbi.h"
 
-#include <optional>
 #include <set>
 #include <vector>
+
+#include "solvers/baselines/fixes.h"
+#include "solvers/baselines/floor_tracker.h"
 
 namespace walkgraph {
 namespace {
@@ -25,50 +27,35 @@ Eigen::Vector2d MiddleOfSurvey(const Site& site, int floor) {
   return count > 0 ? Eigen::Vector2d(sum / count) : sum;
 }
 
-PoseEstimate MakePose(TimeNs time_ns, const Eigen::Vector2d& position_m, int floor,
-                      double heading_rad) {
-  PoseEstimate pose;
-  pose.time_ns = time_ns;
-  pose.position_m.head<2>() = position_m;
-  pose.floor = floor;
-  pose.heading_rad = heading_rad;
-  return pose;
-}
-
 }  // namespace
 
 EstimateResult Viterbi::Estimate(const Site& site, const Evidence& evidence) const {
   EstimateResult result;
   const DeadReckonedPath walk = DeadReckon(site, evidence, factors_);
-  std::vector<int> floors = site.SurveyedFloors();
-  if (evidence.floor) floors = {*evidence.floor};
-  if (floors.empty()) {
+  if (site.SurveyedFloors().empty()) {
     result.status = EstimateStatus::kUnsupported;
     result.messages.emplace_back("the site has no radio map");
     return result;
   }
-  std::optional<DiscretePath> best;
-  int floor = floors.front();
-  for (const int candidate : floors) {
-    std::vector<DiscretePath> paths =
-        SmoothOnLattice(site, evidence, walk, factors_, settings_, candidate);
-    if (paths.empty()) continue;
-    if (best && paths.front().negative_log_posterior >= best->negative_log_posterior) continue;
-    best = std::move(paths.front());
-    floor = candidate;
-  }
-  if (!best) {
+  const FloorPath floors = TrackFloors(site, evidence, factors_).path;
+  const std::vector<DiscretePath> paths =
+      SmoothOnLattice(site, evidence, walk, factors_, settings_, floors);
+  if (paths.empty()) {
     result.status = EstimateStatus::kUnobservable;
     result.messages.emplace_back(
         "position unobservable: no reading that the site knows and no position anchor");
   }
-  const Eigen::Vector2d middle = MiddleOfSurvey(site, floor);
+  const Eigen::Vector2d middle = MiddleOfSurvey(site, floors.Main());
   for (const TimeNs time : PoseTimes(evidence)) {
-    const Eigen::Vector2d position =
-        best ? best->PositionAt(walk, time) : Eigen::Vector2d(middle + walk.PositionAt(time));
-    const double offset = best ? Interpolate(best->heading_offset_rad, time) : 0.0;
-    result.trajectory.poses.push_back(
-        MakePose(time, position, floor, walk.HeadingAt(time) + offset));
+    PoseEstimate pose;
+    pose.time_ns = time;
+    pose.floor = floors.At(time);
+    pose.position_m.z() = FloorHeight(site, pose.floor);
+    pose.position_m.head<2>() = paths.empty() ? Eigen::Vector2d(middle + walk.PositionAt(time))
+                                              : paths.front().PositionAt(walk, time);
+    pose.heading_rad = walk.HeadingAt(time) +
+                       (paths.empty() ? 0.0 : Interpolate(paths.front().heading_offset_rad, time));
+    result.trajectory.poses.push_back(pose);
   }
   return result;
 }

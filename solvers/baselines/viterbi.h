@@ -7,8 +7,8 @@
 
 namespace walkgraph {
 
-// Our own best discrete smoother: the most probable path of SmoothOnLattice(), over all surveyed
-// floors where none is given. No covariance. A walk without any absolute position is laid from the
+// Our own best discrete smoother: the most probable path of SmoothOnLattice() on the floors of
+// TrackFloors() where none is given. No covariance. A walk without any absolute position is laid from the
 // middle of the survey as dead reckoning has it, status `unobservable`.
 class Viterbi : public Estimator {
  public:

@@ -169,10 +169,10 @@ TEST_F(RealFrontends, WifiRowsAreReadingsRepeatsOrFromBefore) {
 
 TEST_F(RealFrontends, PressureIsThereWhereThePhoneHasABarometer) {
   for (const BuiltWalk& walk : Built(Ipin2023())) {
-    EXPECT_GT(walk.evidence.pressure_hpa.size(), 100u) << walk.evidence.id;
+    EXPECT_GT(walk.evidence.barometric_height_m.size(), 100u) << walk.evidence.id;
   }
   for (const BuiltWalk& walk : Built(Ilc20Floors()[1])) {
-    EXPECT_TRUE(walk.evidence.pressure_hpa.empty());
+    EXPECT_TRUE(walk.evidence.barometric_height_m.empty());
   }
 }
 

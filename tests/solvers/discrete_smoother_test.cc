@@ -73,7 +73,7 @@ class BruteForceTest : public ::testing::Test {
 };
 
 TEST_F(BruteForceTest, BestPathIsTheBestOfAll) {
-  const Lattice lattice(site_, 0, settings_.spacing_m, settings_.reach_m);
+  const Lattice lattice(site_, {0}, settings_.spacing_m, settings_.reach_m);
   ASSERT_GE(lattice.size(), 8U);
   const std::vector<Eigen::Vector2d>& cells = lattice.centers_m();
   double best = std::numeric_limits<double>::infinity();
@@ -151,7 +151,7 @@ TEST(LatticeTest, CoversTheReachOfThePathInsideTheOutline) {
   site.building.floors.resize(1);
   site.building.floors[0].outline = {{{-10, -3}, {10, -3}, {10, 3}, {-10, 3}}};
   site.path = {{{0, 0}, 0, 0}, {{5, 0}, 0, 0}, {{0, 9}, 0, 0}, {{50, 0}, 4, 0}};
-  const Lattice lattice(site, 0, 1.0, 4.0);
+  const Lattice lattice(site, {0}, 1.0, 4.0);
   bool near_outlier = false;
   for (const Eigen::Vector2d& center : lattice.centers_m()) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -166,14 +166,14 @@ TEST(LatticeTest, CoversTheReachOfThePathInsideTheOutline) {
     }
   }
   EXPECT_TRUE(near_outlier);
-  EXPECT_EQ(Lattice(site, 1, 1.0, 4.0).size(), 0U);
+  EXPECT_EQ(Lattice(site, {1}, 1.0, 4.0).size(), 0U);
 }
 
 TEST(LatticeTest, NeighboursAreCellsThatFarAway) {
   Site site;
   site.building.floors.resize(1);
   site.path = {{{0, 0}, 0, 0}, {{3, 1}, 0, 0}};
-  const Lattice lattice(site, 0, 1.5, 6.0);
+  const Lattice lattice(site, {0}, 1.5, 6.0);
   std::size_t missing = 0;
   for (std::size_t c = 0; c < lattice.size(); ++c) {
     for (const auto& [columns, rows] : {std::pair{1, 0}, {0, -1}, {-3, 2}, {40, 0}, {0, -40}}) {
