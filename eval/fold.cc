@@ -16,13 +16,15 @@ namespace {
 
 std::vector<SurveyWalk> PlaceSurvey(const Building& building,
                                     const std::vector<CalibrationWalk>& walks,
+                                    const std::vector<std::string>& trials,
                                     const Settings& settings) {
   std::vector<SurveyWalk> survey;
   std::size_t fell_back = 0;
-  for (const CalibrationWalk& walk : walks) {
+  for (std::size_t i = 0; i < walks.size(); ++i) {
+    const CalibrationWalk& walk = walks[i];
     SurveyPlacement placement = PlaceSurveyWalk(building, *walk.truth, *walk.evidence, settings);
     fell_back += placement.fell_back ? 1 : 0;
-    survey.push_back({walk.evidence, std::move(placement.trajectory)});
+    survey.push_back({walk.evidence, std::move(placement.trajectory), trials[i]});
   }
   if (fell_back > 0) {
     LOG(INFO) << "survey positions: " << fell_back << " of " << walks.size()
@@ -43,18 +45,20 @@ Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>&
 
   std::deque<Evidence> evidence;  // keeps the addresses that the walks point to
   std::vector<CalibrationWalk> walks;
+  std::vector<std::string> trials;
   for (const LoadedWalk* walk : training) {
     if (!walk->error.empty() || walk->truth.waypoints.empty()) continue;
     evidence.push_back(walk->evidence);
     heard_in_test.RemoveFrom(&evidence.back());
     walks.push_back({&evidence.back(), &walk->truth});
+    trials.push_back(walk->file.trial);
   }
 
   Fold fold;
   CalibrateMotion(building, walks, &fold.settings.factors);
   ApplyOverrides(overrides, &fold.settings);
-  fold.site =
-      TrainSite(building, PlaceSurvey(building, walks, fold.settings), fold.settings.radio_map);
+  fold.site = TrainSite(building, PlaceSurvey(building, walks, trials, fold.settings),
+                        fold.settings.radio_map);
   for (const Method* method : methods) fold.estimators.push_back(method->make(fold.settings));
   return fold;
 }

@@ -48,7 +48,7 @@ FieldProcess::FieldProcess(const std::vector<FieldSample>& samples, const FieldP
     const FieldSample& sample = samples[static_cast<std::size_t>(i)];
     positions_m_.col(i) = sample.position_m;
     deviation(i) = sample.rssi_dbm - prior_.constant_mean_dbm;
-    walk_.push_back(sample.walk);
+    trial_.push_back(sample.trial);
   }
   Eigen::MatrixXd covariance = Covariance(positions_m_);
   covariance.diagonal().array() += prior_.noise_db * prior_.noise_db;
@@ -92,18 +92,18 @@ void FieldProcess::Predict(const Eigen::Matrix2Xd& positions_m, Eigen::VectorXd*
   *sigma_db = (left.max(0.0) + noise).sqrt();
 }
 
-FieldProcess::LeftOut FieldProcess::LeaveOneWalkOut() const {
+FieldProcess::LeftOut FieldProcess::LeaveOneTrialOut() const {
   const Eigen::Index n = positions_m_.cols();
   Eigen::MatrixXd precision = Eigen::MatrixXd::Identity(n, n);
   lower_.triangularView<Eigen::Lower>().solveInPlace(precision);
   precision = (precision.transpose() * precision).eval();
 
-  std::map<std::uint32_t, std::vector<Eigen::Index>> by_walk;
-  for (Eigen::Index i = 0; i < n; ++i) by_walk[walk_[static_cast<std::size_t>(i)]].push_back(i);
+  std::map<std::uint32_t, std::vector<Eigen::Index>> by_trial;
+  for (Eigen::Index i = 0; i < n; ++i) by_trial[trial_[static_cast<std::size_t>(i)]].push_back(i);
 
   LeftOut out;
   out.whitened.resize(static_cast<std::size_t>(n));
-  for (const auto& [walk, members] : by_walk) {
+  for (const auto& [trial, members] : by_trial) {
     const Eigen::MatrixXd block = precision(members, members);
     const Eigen::MatrixXd covariance =
         block.llt().solve(Eigen::MatrixXd::Identity(block.rows(), block.cols()));

@@ -12,6 +12,7 @@ struct FieldSample {
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
   double rssi_dbm = 0;
   std::uint32_t walk = 0;
+  std::uint32_t trial = 0;
 };
 
 // Matern-3/2 process over the floor around an unknown constant, plus independent noise.
@@ -37,20 +38,20 @@ class FieldProcess {
   double far_mean_dbm() const { return far_mean_dbm_; }
   double far_sigma_db() const { return far_sigma_db_; }
 
-  // Residuals over their predicted standard deviation, and the log density of each sample, when the
-  // whole walk that it belongs to is left out. In the order of the samples; both exact (block
-  // inverse of the covariance), not refitted.
+  // Residuals over their predicted standard deviation, and the log density of each sample, when all
+  // walks of the trial that it belongs to are left out. In the order of the samples; both exact
+  // (block inverse of the covariance), not refitted.
   struct LeftOut {
     std::vector<double> whitened;
     double log_density = 0;
   };
-  LeftOut LeaveOneWalkOut() const;
+  LeftOut LeaveOneTrialOut() const;
 
  private:
   Eigen::MatrixXd Covariance(const Eigen::Matrix2Xd& positions_m) const;
 
   FieldPrior prior_;
-  std::vector<std::uint32_t> walk_;
+  std::vector<std::uint32_t> trial_;
   Eigen::Matrix2Xd positions_m_;
   Eigen::MatrixXd lower_;  // Cholesky factor of the samples' covariance
   Eigen::VectorXd alpha_;  // covariance^-1 (rssi - constant mean)

@@ -23,6 +23,7 @@ std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings,
     sum.position_m += reading.position_m;
     sum.rssi_dbm += reading.rssi_dbm;
     sum.walk = reading.walk;
+    sum.trial = reading.trial;
     ++count;
   }
   std::vector<FieldSample> samples;
@@ -37,14 +38,14 @@ std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings,
 
 using Selection = std::vector<const std::vector<FieldSample>*>;
 
-// An even selection of the transmitters that several walks heard.
+// An even selection of the transmitters that several trials heard.
 Selection SelectForFit(const std::map<std::uint32_t, std::vector<FieldSample>>& samples) {
   Selection eligible;
   for (const auto& [transmitter, list] : samples) {
-    const bool several_walks = std::any_of(list.begin(), list.end(), [&](const FieldSample& s) {
-      return s.walk != list.front().walk;
+    const bool several_trials = std::any_of(list.begin(), list.end(), [&](const FieldSample& s) {
+      return s.trial != list.front().trial;
     });
-    if (several_walks && list.size() >= 6) eligible.push_back(&list);
+    if (several_trials && list.size() >= 6) eligible.push_back(&list);
   }
   if (eligible.size() <= kFitTransmitters) return eligible;
   Selection selection;
@@ -122,7 +123,7 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
   for (const SurveyScan* scan : scans) {
     for (const SurveyReading& reading : scan->readings) {
       readings[reading.transmitter].push_back(
-          {reading.position_m.cast<double>(), reading.rssi_dbm, scan->walk});
+          {reading.position_m.cast<double>(), reading.rssi_dbm, scan->walk, scan->trial});
     }
   }
   for (auto& [transmitter, list] : readings) {
@@ -144,7 +145,7 @@ double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>
   double sum = 0;
   std::size_t count = 0;
   for (const auto* list : SelectForFit(samples)) {
-    for (const double z : FieldProcess(*list, prior).LeaveOneWalkOut().whitened) {
+    for (const double z : FieldProcess(*list, prior).LeaveOneTrialOut().whitened) {
       sum += z * z;
       ++count;
     }

@@ -12,15 +12,15 @@
 namespace walkgraph {
 namespace {
 
-constexpr int kFolds = 3;
+constexpr std::size_t kFolds = 3;
 constexpr std::size_t kMinWalks = 6;
 constexpr std::size_t kWalksPerFold = 16;
 constexpr std::size_t kAllWalks = std::numeric_limits<std::size_t>::max();
-// Trials and calibration see this many transmitters of a floor, and samples of each, at most: a
-// hundred walks are to be trained on in seconds.
-constexpr std::size_t kTrialTransmitters = 150;
+// The search for a model and calibration see this many transmitters of a floor, and samples of
+// each, at most: a hundred walks are to be trained on in seconds.
+constexpr std::size_t kSearchTransmitters = 150;
 constexpr std::size_t kCalibrationTransmitters = 400;
-constexpr std::size_t kTrialSamples = 120;
+constexpr std::size_t kSearchSamples = 120;
 constexpr double kPieceSeconds = 20;
 constexpr double kShiftSpacingM = 2.5;
 constexpr int kShiftHalfCount = 8;
@@ -183,36 +183,38 @@ Scored BestCalibration(const std::vector<Piece>& pieces, std::span<const double>
   return best;
 }
 
-// The scans of a floor by walk, and the maps that leave one third of the walks out.
+// The scans of a floor by trial and walk, and the maps that leave one third of the trials out.
 class HeldOut {
  public:
   HeldOut(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
           const TrainerSettings& settings, std::size_t max_transmitters)
       : floor_(floor), radio_(radio), grid_(grid), settings_(settings) {
-    std::set<std::uint32_t> transmitters;
+    std::set<std::uint32_t> transmitters, walks;
     for (const SurveyScan* scan : scans) {
-      by_walk_[scan->walk].push_back(scan);
+      by_trial_[scan->trial][scan->walk].push_back(scan);
+      walks.insert(scan->walk);
       for (const SurveyReading& reading : scan->readings) transmitters.insert(reading.transmitter);
     }
+    enough_ = walks.size() >= kMinWalks && by_trial_.size() >= kFolds;
     keep_every_ = (transmitters.size() + max_transmitters - 1) / max_transmitters;
   }
 
-  bool enough() const { return by_walk_.size() >= kMinWalks; }
+  bool enough() const { return enough_; }
 
-  void AppendFold(int fold, const FieldModel& model, std::size_t max_walks,
+  void AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
                   std::vector<Piece>* pieces) const {
     ScanList training;
     std::vector<const ScanList*> held_out;
-    int index = 0;
-    for (const auto& [walk, list] : by_walk_) {
-      if (index++ % kFolds == fold) {
-        held_out.push_back(&list);
-      } else {
-        training.insert(training.end(), list.begin(), list.end());
+    std::size_t index = 0;
+    for (const auto& [trial, walks] : by_trial_) {
+      const bool out = index++ % kFolds == fold;
+      for (const auto& [walk, list] : walks) {
+        if (out) held_out.push_back(&list);
+        if (!out) training.insert(training.end(), list.begin(), list.end());
       }
     }
     const RadioMap map =
-        BuildMap(floor_, radio_, grid_, training, model, settings_, {keep_every_, kTrialSamples});
+        BuildMap(floor_, radio_, grid_, training, model, settings_, {keep_every_, kSearchSamples});
     const std::size_t count = std::min(max_walks, held_out.size());
     for (std::size_t i = 0; i < count; ++i) {
       AppendPieces(map, *held_out[i * held_out.size() / count], settings_, pieces);
@@ -224,11 +226,12 @@ class HeldOut {
   Radio radio_;
   const FieldGrid& grid_;
   const TrainerSettings& settings_;
-  std::map<std::uint32_t, ScanList> by_walk_;
+  std::map<std::uint32_t, std::map<std::uint32_t, ScanList>> by_trial_;
+  bool enough_ = false;
   std::size_t keep_every_ = 1;
 };
 
-double TrialScore(const HeldOut& held_out, const FieldModel& model,
+double ModelScore(const HeldOut& held_out, const FieldModel& model,
                   std::size_t max_walks = kWalksPerFold) {
   std::vector<Piece> pieces;
   held_out.AppendFold(0, model, max_walks, &pieces);
@@ -246,7 +249,7 @@ void Climb(const HeldOut& held_out, std::span<const double> ladder,
          at += direction) {
       FieldModel trial = *model;
       parameter(trial) = ladder[static_cast<std::size_t>(at)];
-      const double trial_score = TrialScore(held_out, trial);
+      const double trial_score = ModelScore(held_out, trial);
       if (!(trial_score > *score)) break;
       *score = trial_score;
       *model = trial;
@@ -260,9 +263,9 @@ void Climb(const HeldOut& held_out, std::span<const double> ladder,
 
 std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& grid,
                                      const ScanList& scans, const TrainerSettings& settings) {
-  const HeldOut held_out(floor, radio, grid, scans, settings, kTrialTransmitters);
+  const HeldOut held_out(floor, radio, grid, scans, settings, kSearchTransmitters);
   if (!held_out.enough()) return std::nullopt;
-  return TrialScore(held_out, FieldModel(), kAllWalks);
+  return ModelScore(held_out, FieldModel(), kAllWalks);
 }
 
 FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
@@ -271,9 +274,9 @@ FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const
   constexpr std::array kBandwidths{1.2, 1.7, 2.5, 3.5, 5.0, 7.0};
   constexpr std::array kNoises{2.0, 3.0, 4.0, 5.0, 6.0};
   FieldModel model;
-  const HeldOut held_out(floor, radio, grid, scans, settings, kTrialTransmitters);
+  const HeldOut held_out(floor, radio, grid, scans, settings, kSearchTransmitters);
   if (held_out.enough()) {
-    double score = TrialScore(held_out, model);
+    double score = ModelScore(held_out, model);
     Climb(
         held_out, kLengths, [](FieldModel& m) -> double& { return m.prior.length_m; }, &model,
         &score);
@@ -293,7 +296,7 @@ MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const
   const HeldOut held_out(floor, radio, grid, scans, settings, kCalibrationTransmitters);
   if (!held_out.enough()) return {};
   std::vector<Piece> pieces;
-  for (int fold = 0; fold < kFolds; ++fold)
+  for (std::size_t fold = 0; fold < kFolds; ++fold)
     held_out.AppendFold(fold, model, kWalksPerFold, &pieces);
   const Scored coarse = BestCalibration(pieces, kCoarseNEff, kHearWeights, kCoarseMapErrors);
   const std::array hear_weights{coarse.calibration.hear_weight};

@@ -23,7 +23,7 @@ struct MapCalibration {
 
 // Total score of the default field model on held-out walks, at the best of a coarse grid of
 // calibrations: comparable between different placements of the same walks' scans. Nothing where
-// there are fewer than six walks.
+// there are fewer than six walks or three trials.
 std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& grid,
                                      const ScanList& scans, const TrainerSettings& settings);
 

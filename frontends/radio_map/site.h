@@ -33,6 +33,8 @@ struct SurveyReading {
 struct SurveyScan {
   TimeNs printed_ns = 0;
   std::uint32_t walk = 0;
+  // The first walk of the same trial: walks that repeat one route are held out together.
+  std::uint32_t trial = 0;
   int floor = 0;
   Radio radio = Radio::kWifi;
   std::vector<SurveyReading> readings;

@@ -195,6 +195,7 @@ template <typename A, typename S>
 void ArchiveScan(A& a, S& scan) {
   a.Scalar(scan.printed_ns);
   a.Scalar(scan.walk);
+  a.Scalar(scan.trial);
   a.Scalar(scan.floor);
   a.Scalar(scan.radio);
   Each(a, scan.readings, [](A& b, auto& reading) {

@@ -26,6 +26,14 @@ std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
   return {all.begin(), all.end()};
 }
 
+std::uint32_t FirstOfTrial(const std::vector<SurveyWalk>& walks, std::size_t index) {
+  if (walks[index].trial.empty()) return static_cast<std::uint32_t>(index);
+  const auto first = std::find_if(walks.begin(), walks.end(), [&](const SurveyWalk& walk) {
+    return walk.trial == walks[index].trial;
+  });
+  return static_cast<std::uint32_t>(first - walks.begin());
+}
+
 void AppendPath(const Trajectory& trajectory, std::uint32_t walk, std::vector<SurveyPoint>* path) {
   const PoseEstimate* last = nullptr;
   for (const PoseEstimate& pose : trajectory.poses) {
@@ -88,6 +96,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
       if (walks[i].trajectory.empty()) continue;
       for (SurveyScan& scan : PlaceScans(walks[i], static_cast<std::uint32_t>(i), radio,
                                          site_index[i], lag_s, {lag_s, lag_s})) {
+        scan.trial = FirstOfTrial(walks, i);
         site.scans.push_back(std::move(scan));
       }
     }

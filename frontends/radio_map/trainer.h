@@ -2,6 +2,7 @@
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_TRAINER_H_
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "data/building.h"
@@ -40,6 +41,9 @@ void Visit(Visitor& v, TrainerSettings& s) {
 struct SurveyWalk {
   const Evidence* evidence = nullptr;
   Trajectory trajectory;
+  // Walks of one trial repeat a route: what is asked of a map is how it does on routes that it does
+  // not know, so that they are held out together. Empty: a trial of its own.
+  std::string trial = "";
 };
 
 // Trains the radio maps of every floor and radio from survey walks (pairs of evidence and

@@ -6,6 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "frontends/radio_map/sweeps.h"
+
 namespace walkgraph {
 namespace {
 
@@ -110,28 +112,31 @@ std::vector<FloorLook> FloorSounds::Looks(const Evidence& evidence,
 
 void FloorSounds::AppendLooks(const Evidence& evidence, Radio radio, const std::vector<int>& floors,
                               std::vector<FloorLook>* looks) const {
-  struct Heard {
-    MeanSignals signals;
-    double seconds = 0;  // sum since the walk's begin
-    int count = 0;
-    TimeNs printed_ns = 0;
-  };
+  const double correlation_s = settings_.map_error.correlation_s;
   const std::vector<std::int32_t> site_index = MatchTransmitters(site_, evidence);
-  std::map<std::int64_t, Heard> stretches;
-  for (const RadioReading& reading : evidence.readings) {
-    const std::int32_t transmitter = site_index[reading.transmitter];
-    if (evidence.transmitters[reading.transmitter].radio != radio) continue;
-    if (transmitter == kUnknownTransmitter) continue;
-    Heard& heard =
-        stretches[Stretch(reading.heard_ns, evidence.begin_ns, settings_.map_error.correlation_s)];
-    heard.signals.Add(static_cast<std::uint32_t>(transmitter), reading.rssi_dbm);
-    heard.seconds += SecondsBetween(evidence.begin_ns, reading.heard_ns);
-    ++heard.count;
-    heard.printed_ns = std::max(heard.printed_ns, reading.printed_ns);
-  }
-  for (const auto& [stretch, heard] : stretches) {
-    looks->push_back({evidence.begin_ns + DurationNs(heard.seconds / heard.count), heard.printed_ns,
-                      LogLikelihood(radio, floors, heard.signals.Means())});
+  const std::vector<Sweep> sweeps = GroupSweeps(evidence, radio);
+  std::size_t first = 0;  // sweep of the look
+  for (std::size_t last = 0; last < sweeps.size(); ++last) {
+    const TimeNs now_ns = sweeps[last].mean_heard_ns;
+    while (SecondsBetween(sweeps[first].mean_heard_ns, now_ns) > correlation_s) ++first;
+    MeanSignals signals;
+    FloorLook look;
+    for (std::size_t s = first; s <= last; ++s) {
+      for (const std::size_t i : sweeps[s].readings) {
+        const RadioReading& reading = evidence.readings[i];
+        look.printed_ns = std::max(look.printed_ns, reading.printed_ns);
+        const std::int32_t transmitter = site_index[reading.transmitter];
+        if (transmitter == kUnknownTransmitter) continue;
+        signals.Add(static_cast<std::uint32_t>(transmitter), reading.rssi_dbm);
+      }
+    }
+    const Signals heard = signals.Means();
+    if (heard.empty()) continue;
+    look.mean_heard_ns = sweeps[first].mean_heard_ns + (now_ns - sweeps[first].mean_heard_ns) / 2;
+    const double news =
+        last == 0 ? 1.0 : SecondsBetween(sweeps[last - 1].mean_heard_ns, now_ns) / correlation_s;
+    look.log_likelihood = std::min(1.0, news) * LogLikelihood(radio, floors, heard);
+    looks->push_back(std::move(look));
   }
 }
 

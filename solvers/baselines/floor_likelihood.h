@@ -14,20 +14,23 @@ namespace walkgraph {
 
 // What a radio heard over a stretch of a walk says about the floor.
 struct FloorLook {
-  TimeNs mean_heard_ns = 0;
+  TimeNs mean_heard_ns = 0;        // middle of the stretch
   TimeNs printed_ns = 0;           // when all of it was known
   Eigen::VectorXd log_likelihood;  // by floor, nats, up to a constant
 };
 
 // How floors sound, by the survey's own readings. A look is all that a radio heard in one
-// correlation time of its errors (map_error.correlation_s), the mean of each transmitter: what is
-// heard within it is off by the same, so that it counts once. The likelihood of a look on a floor
-// is that of a mixture of kernels, one for each look of the survey there, with
+// correlation time of its errors (map_error.correlation_s), the mean of each transmitter. The
+// likelihood of a look on a floor is that of a mixture of kernels, one for each look of the survey
+// there, with
 //   -log k = 1/2 w sum over transmitters of min((q - r)^2 / s^2, 25),  w = min(1, n_eff / heard),
 // q and r the strengths in the look and the survey's (settings.missing_dbm where one was not
 // heard), s settings.spread_db; and of the whole building's looks on every floor with the weight
 // settings.background: of a floor that was hardly surveyed it is hardly known how it sounds. One
 // scale serves all floors, which maps that are calibrated one by one do not offer.
+//
+// A walk is looked at back from each of its sweeps. The first look counts in full, each later one
+// with the share of a correlation time that has passed since the one before: so much is new in it.
 class FloorSounds {
  public:
   // Keeps references to both.

@@ -91,7 +91,7 @@ class LargeSite {
     for (double y = 5; y < kHeightM; y += 10, ++walk) {
       for (double x = 1.5; x < kWidthM; x += 3) {
         site.path.push_back({{x, y}, 0, walk});
-        site.scans.push_back({DurationNs(x), walk, 0, Radio::kWifi, Scan({x, y})});
+        site.scans.push_back({DurationNs(x), walk, walk, 0, Radio::kWifi, Scan({x, y})});
       }
     }
   }

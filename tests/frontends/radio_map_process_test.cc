@@ -42,7 +42,7 @@ std::vector<FieldSample> SomeSamples() {
   for (std::uint32_t walk = 0; walk < 4; ++walk) {
     for (int i = 0; i < (walk == 3 ? 1 : 8); ++i) {
       const Eigen::Vector2d at(3.0 * i + 0.3 * walk, 6.0 * walk);
-      samples.push_back({at, -60.0 - 0.8 * at.norm() + noise(random), walk});
+      samples.push_back({at, -60.0 - 0.8 * at.norm() + noise(random), walk, walk});
     }
   }
   return samples;
@@ -51,7 +51,7 @@ std::vector<FieldSample> SomeSamples() {
 std::vector<FieldSample> Without(std::uint32_t walk, const std::vector<FieldSample>& samples) {
   std::vector<FieldSample> rest;
   for (const FieldSample& sample : samples) {
-    if (sample.walk != walk) rest.push_back(sample);
+    if (sample.trial != walk) rest.push_back(sample);
   }
   return rest;
 }
@@ -101,11 +101,11 @@ TEST(FieldProcessTest, AgreesWithTheTextbookFormulas) {
 TEST(FieldProcessTest, LeavingAWalkOutEqualsTrainingWithoutIt) {
   const FieldPrior prior{8, 10, 4, -78, 9};
   const std::vector<FieldSample> samples = SomeSamples();
-  const FieldProcess::LeftOut left_out = FieldProcess(samples, prior).LeaveOneWalkOut();
+  const FieldProcess::LeftOut left_out = FieldProcess(samples, prior).LeaveOneTrialOut();
   ASSERT_EQ(left_out.whitened.size(), samples.size());
   double log_density = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const FieldProcess refit(Without(samples[i].walk, samples), prior);
+    const FieldProcess refit(Without(samples[i].trial, samples), prior);
     const Prediction expected = PredictAt(refit, samples[i].position_m);
     const double residual_db = samples[i].rssi_dbm - expected.mean_dbm;
     // The spread is predicted in single precision, the left-out ones in double.
@@ -125,9 +125,9 @@ TEST(FieldProcessTest, LeavingAWalkOutIsExact) {
   const std::vector<double> rssi{-60, -64, -71, -58, -75};
   std::vector<FieldSample> samples;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    samples.push_back({{places[i], 0}, rssi[i], walks[i]});
+    samples.push_back({{places[i], 0}, rssi[i], walks[i], walks[i]});
   }
-  const FieldProcess::LeftOut left_out = FieldProcess(samples, prior).LeaveOneWalkOut();
+  const FieldProcess::LeftOut left_out = FieldProcess(samples, prior).LeaveOneTrialOut();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     std::vector<std::size_t> kept;
     for (std::size_t j = 0; j < samples.size(); ++j) {
@@ -154,9 +154,9 @@ TEST(FieldProcessTest, LeavingAWalkOutIsExact) {
 
 TEST(FieldProcessTest, ASingleWalkLeftOutIsJudgedByThePrior) {
   const FieldPrior prior{8, 10, 4, -78, 9};
-  const FieldProcess process({{{0, 0}, -60, 5}, {{2, 0}, -70, 5}}, prior);
+  const FieldProcess process({{{0, 0}, -60, 5, 5}, {{2, 0}, -70, 5, 5}}, prior);
   const double sigma_db = std::sqrt(81.0 + 100.0 + 16.0);
-  const FieldProcess::LeftOut left_out = process.LeaveOneWalkOut();
+  const FieldProcess::LeftOut left_out = process.LeaveOneTrialOut();
   EXPECT_NEAR(left_out.whitened[0], 18 / sigma_db, 1e-9);
   EXPECT_NEAR(left_out.whitened[1], 8 / sigma_db, 1e-9);
 }

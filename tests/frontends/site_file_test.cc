@@ -36,7 +36,7 @@ Site SmallSite() {
   site.transmitters = {{Radio::kWifi, "ap"}, {Radio::kBeacon, "uuid_1_2_mac"}};
   site.path = {{{1, 2}, -1, 0}, {{2, 2}, -1, 0}};
   site.scans = {
-      {1'560'000'000'000'000'007, 3, -1, Radio::kBeacon, {{1, -71.5F, 0.25F, {1.5F, 2.0F}}}}};
+      {1'560'000'000'000'000'007, 3, 2, -1, Radio::kBeacon, {{1, -71.5F, 0.25F, {1.5F, 2.0F}}}}};
   RadioMap map;
   map.floor = -1;
   map.radio = Radio::kBeacon;

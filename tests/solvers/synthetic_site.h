@@ -124,7 +124,7 @@ class SyntheticSite {
       for (double x = 1.5; x < kWidthM; x += 1) {
         const Eigen::Vector2d at(x, y);
         site.path.push_back({at, 1, walk});
-        site.scans.push_back({At(-100 + x), walk, 1, Radio::kWifi, Scan(at)});
+        site.scans.push_back({At(-100 + x), walk, walk, 1, Radio::kWifi, Scan(at)});
       }
     }
   }

@@ -32,7 +32,7 @@ Site HandSite() {
       {Reading(1, -50, 20), Reading(2, -40, 20, 5)},
       {Reading(0, -52, 30), Reading(1, -70, 30)}};
   for (std::size_t i = 0; i < readings.size(); ++i) {
-    site.scans.push_back({0, 0, i < 3 ? 1 : 2, Radio::kWifi, readings[i]});
+    site.scans.push_back({0, 0, 0, i < 3 ? 1 : 2, Radio::kWifi, readings[i]});
   }
   return site;
 }

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "frontends/radio_map/trainer.h"
+#include "frontends/radio_world.h"
+
+namespace walkgraph {
+namespace {
+
+// The same walks, each made four times: told that they repeat one another, calibration asks how the
+// map does on routes that it does not know; not told, it is asked about routes that it knows.
+std::vector<SurveyWalk> Repeated(RadioWorld* world, bool told) {
+  std::vector<SurveyWalk> walks;
+  for (int repetition = 0; repetition < 4; ++repetition) {
+    std::vector<SurveyWalk> survey = world->Survey(9.0);
+    for (std::size_t i = 0; i < survey.size(); ++i) {
+      if (told) survey[i].trial = std::to_string(i);
+      walks.push_back(survey[i]);
+    }
+  }
+  return walks;
+}
+
+TEST(TrialCalibration, ARepeatedRouteIsNoNewOne) {
+  RadioWorld told_world(1), untold_world(1);
+  const Site told = TrainSite(told_world.building, Repeated(&told_world, true), {});
+  const Site untold = TrainSite(untold_world.building, Repeated(&untold_world, false), {});
+  ASSERT_EQ(told.maps.size(), 1u);
+  EXPECT_GT(told.maps[0].map_error_sigma_m, untold.maps[0].map_error_sigma_m);
+}
+
+TEST(TrialCalibration, WalksWithoutATrialAreTrialsOfTheirOwn) {
+  RadioWorld world(1);
+  const Site site = TrainSite(world.building, world.Survey(6.0), {});
+  for (const SurveyScan& scan : site.scans) EXPECT_EQ(scan.trial, scan.walk);
+}
+
+TEST(TrialCalibration, ScansNameTheFirstWalkOfTheirTrial) {
+  RadioWorld world(1);
+  std::vector<SurveyWalk> walks = world.Survey(6.0);
+  ASSERT_GT(walks.size(), 4u);
+  const std::string name(1, 'a');
+  walks[1].trial = walks[3].trial = name;
+  const Site site = TrainSite(world.building, walks, {});
+  for (const SurveyScan& scan : site.scans) {
+    EXPECT_EQ(scan.trial, scan.walk == 3 ? 1u : scan.walk);
+  }
+}
+
+}  // namespace
+}  // namespace walkgraph
