@@ -9,15 +9,16 @@
 namespace walkgraph {
 namespace {
 
-// The same walks, each made four times: told that they repeat one another, calibration asks how the
-// map does on routes that it does not know; not told, it is asked about routes that it knows.
+// Routes that were each surveyed as lying some 5 m from where they are, and walked four times. Told
+// that they repeat one another, calibration asks how the map does on routes that it does not know,
+// where their displacement shows; not told, it finds every route where the map has it.
 std::vector<SurveyWalk> Repeated(RadioWorld* world, bool told) {
   std::vector<SurveyWalk> walks;
+  const std::vector<SurveyWalk> survey = world->Survey(3.0, 60.0, 5.0);
   for (int repetition = 0; repetition < 4; ++repetition) {
-    std::vector<SurveyWalk> survey = world->Survey(9.0);
     for (std::size_t i = 0; i < survey.size(); ++i) {
-      if (told) survey[i].trial = std::to_string(i);
       walks.push_back(survey[i]);
+      if (told) walks.back().trial = std::to_string(i);
     }
   }
   return walks;
@@ -28,7 +29,7 @@ TEST(TrialCalibration, ARepeatedRouteIsNoNewOne) {
   const Site told = TrainSite(told_world.building, Repeated(&told_world, true), {});
   const Site untold = TrainSite(untold_world.building, Repeated(&untold_world, false), {});
   ASSERT_EQ(told.maps.size(), 1u);
-  EXPECT_GT(told.maps[0].map_error_sigma_m, untold.maps[0].map_error_sigma_m);
+  EXPECT_GE(told.maps[0].map_error_sigma_m, 1.4 * untold.maps[0].map_error_sigma_m);
 }
 
 TEST(TrialCalibration, WalksWithoutATrialAreTrialsOfTheirOwn) {
@@ -40,7 +41,7 @@ TEST(TrialCalibration, WalksWithoutATrialAreTrialsOfTheirOwn) {
 TEST(TrialCalibration, ScansNameTheFirstWalkOfTheirTrial) {
   RadioWorld world(1);
   std::vector<SurveyWalk> walks = world.Survey(6.0);
-  ASSERT_GT(walks.size(), 4u);
+  ASSERT_GT(walks.size(), 3u);
   const std::string name(1, 'a');
   walks[1].trial = walks[3].trial = name;
   const Site site = TrainSite(world.building, walks, {});
