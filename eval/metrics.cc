@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 namespace walkgraph {
 namespace {
@@ -28,7 +29,7 @@ std::vector<WaypointError> ErrorsAtWaypoints(const Trajectory& trajectory, const
     WaypointError error;
     error.error_m = difference.norm();
     error.floor = waypoint.floor;
-    error.floor_correct = pose.floor == waypoint.floor;
+    error.floors_off = std::abs(pose.floor - waypoint.floor);
     error.nees = Nees(difference, pose.covariance_xy_m2 + truth_covariance);
     errors.push_back(error);
   }
@@ -42,7 +43,7 @@ std::vector<WaypointError> ErrorsOfFixedPoint(const Eigen::Vector2d& position, i
     WaypointError error;
     error.error_m = (position - waypoint.position).norm();
     error.floor = waypoint.floor;
-    error.floor_correct = floor == waypoint.floor;
+    error.floors_off = std::abs(floor - waypoint.floor);
     errors.push_back(error);
   }
   return errors;
@@ -63,14 +64,16 @@ ErrorSummary Summarise(const std::vector<WaypointError>& errors) {
   ErrorSummary summary;
   summary.n = static_cast<int>(errors.size());
   if (errors.empty()) return summary;
-  std::vector<double> sorted;
+  constexpr double kFloorPenaltyM = 15.0;
+  std::vector<double> sorted, penalised;
   double sum = 0, sum_of_squares = 0, sum_of_nees = 0;
   int floors_correct = 0, with_covariance = 0, inside50 = 0, inside95 = 0;
   for (const WaypointError& error : errors) {
     sorted.push_back(error.error_m);
     sum += error.error_m;
     sum_of_squares += error.error_m * error.error_m;
-    floors_correct += error.floor_correct ? 1 : 0;
+    floors_correct += error.floors_off == 0 ? 1 : 0;
+    penalised.push_back(error.error_m + kFloorPenaltyM * error.floors_off);
     if (std::isnan(error.nees)) continue;
     ++with_covariance;
     sum_of_nees += error.nees;
@@ -85,6 +88,8 @@ ErrorSummary Summarise(const std::vector<WaypointError>& errors) {
   summary.p90_m = Quantile(sorted, 0.90);
   summary.p95_m = Quantile(sorted, 0.95);
   summary.max_m = sorted.back();
+  std::sort(penalised.begin(), penalised.end());
+  summary.ipin_m = Quantile(penalised, 0.75);
   summary.floor_accuracy = static_cast<double>(floors_correct) / summary.n;
   if (with_covariance > 0) {
     summary.coverage50 = static_cast<double>(inside50) / with_covariance;

@@ -13,8 +13,8 @@ namespace walkgraph {
 // How far an estimate is from one waypoint.
 struct WaypointError {
   double error_m = 0;  // horizontal distance
-  bool floor_correct = false;
-  int floor = 0;  // the true one
+  int floor = 0;       // the true one
+  int floors_off = 0;  // between the estimated floor and the true one, not negative
   // Normalised estimation error squared, e^T S^-1 e with S the estimate's covariance plus the
   // waypoint's own; mean 2 where S is right. NaN where the method has no covariance.
   double nees = std::numeric_limits<double>::quiet_NaN();
@@ -43,6 +43,10 @@ struct ErrorSummary {
   double p95_m = std::numeric_limits<double>::quiet_NaN();
   double max_m = std::numeric_limits<double>::quiet_NaN();
   double floor_accuracy = std::numeric_limits<double>::quiet_NaN();
+  // The score of the IPIN competitions: the 75th percentile of the error plus 15 m for every floor
+  // that the estimate is off (Potorti et al. 2017, Comparing the performance of indoor localization
+  // systems through the EvAAL framework, Sensors 17).
+  double ipin_m = std::numeric_limits<double>::quiet_NaN();
   // Share of waypoints inside the 50 % and 95 % ellipses of the 2-D normal distribution.
   double coverage50 = std::numeric_limits<double>::quiet_NaN();
   double coverage95 = std::numeric_limits<double>::quiet_NaN();

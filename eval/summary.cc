@@ -113,7 +113,7 @@ std::string FormatSummary(const std::vector<SummarySection>& sections,
   std::string text;
   for (const SummarySection& section : sections) {
     Table table({section.name, "walks", "n", "mean", "95% interval", "median", "p75", "p90", "p95",
-                 "max", "floor", "cover50", "cover95", "nees", "s/walk"});
+                 "max", "floor", "ipin", "cover50", "cover95", "nees", "s/walk"});
     for (const SummaryRow& row : section.rows) {
       const ErrorSummary& e = row.errors;
       const auto seconds = seconds_per_walk.find(row.method);
@@ -123,7 +123,8 @@ std::string FormatSummary(const std::vector<SummarySection>& sections,
                FixedDecimals(row.mean_interval_m.high, 2),
            FixedDecimals(e.median_m, 2), FixedDecimals(e.p75_m, 2), FixedDecimals(e.p90_m, 2),
            FixedDecimals(e.p95_m, 2), FixedDecimals(e.max_m, 1), FixedDecimals(e.floor_accuracy, 3),
-           FixedDecimals(e.coverage50, 3), FixedDecimals(e.coverage95, 3), FixedDecimals(e.nees, 2),
+           FixedDecimals(e.ipin_m, 2), FixedDecimals(e.coverage50, 3),
+           FixedDecimals(e.coverage95, 3), FixedDecimals(e.nees, 2),
            seconds == seconds_per_walk.end() ? "-" : FixedDecimals(seconds->second, 3)});
     }
     text += table.Format() + "\n";

@@ -34,6 +34,7 @@ Json RowJson(const SummaryRow& row) {
           {"p95_m", Rounded(e.p95_m)},
           {"max_m", Rounded(e.max_m)},
           {"floor_accuracy", Rounded(e.floor_accuracy)},
+          {"ipin_m", Rounded(e.ipin_m)},
           {"coverage50", Rounded(e.coverage50)},
           {"coverage95", Rounded(e.coverage95)},
           {"nees", Rounded(e.nees)},

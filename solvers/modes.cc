@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "data/angle.h"
+#include "frontends/evidence/barometric_formula.h"
 #include "graph/linearize.h"
 #include "graph/marginal_covariance.h"
 #include "graph/posterior.h"
@@ -241,9 +242,14 @@ std::vector<SlowStateEstimate> SlowStates(const WalkGraph& walk, const Mode& mod
     if (block.constant || !IsSlowState(block.id.kind)) continue;
     const std::vector<std::string> names = CoordinateNames(block);
     for (int i = 0; i < block.size(); ++i) {
-      states.push_back({names[static_cast<std::size_t>(i)], block.time_ns,
-                        mode.values[block.offset + i],
-                        std::sqrt(mode.uncertainty.covariance[b](i, i))});
+      const double sigma = std::sqrt(mode.uncertainty.covariance[b](i, i));
+      const double value = mode.values[block.offset + i];
+      states.push_back({names[static_cast<std::size_t>(i)], block.time_ns, value, sigma});
+      if (block.id.kind == BlockKind::kBarometricOffset) {
+        const double hpa = PressureAtHeight(value);
+        states.push_back({"barometric_offset_hpa", block.time_ns, hpa - kSeaLevelHpa,
+                          sigma * hpa / kScaleHeightM});
+      }
     }
   }
   return states;

@@ -67,7 +67,8 @@ Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, doubl
 Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
                const SolverSettings& settings, WalkGraph* walk, int* failed_solves);
 
-// Slow states of a mode at their knots, constant ones left out.
+// Slow states of a mode at their knots, constant ones left out. The barometric offset a second time
+// in hPa: what this barometer shows at height zero, less the standard atmosphere's pressure.
 std::vector<SlowStateEstimate> SlowStates(const WalkGraph& walk, const Mode& mode);
 
 std::vector<Hypothesis> Hypotheses(const WalkGraph& walk, const std::vector<Mode>& modes,

@@ -36,8 +36,8 @@ TEST(Metrics, ErrorIsTheDistanceAtTheWaypointsTimeClampedAtTheEnds) {
   EXPECT_NEAR(errors[0].error_m, 3, 1e-12);
   EXPECT_NEAR(errors[1].error_m, 5, 1e-12);
   EXPECT_NEAR(errors[2].error_m, 7, 1e-12);
-  EXPECT_TRUE(errors[0].floor_correct);
-  EXPECT_FALSE(errors[2].floor_correct);
+  EXPECT_EQ(errors[0].floors_off, 0);
+  EXPECT_EQ(errors[2].floors_off, 1);
 }
 
 TEST(Metrics, NeesCountsTheWaypointsOwnError) {
@@ -67,6 +67,14 @@ TEST(Metrics, SummaryOfFiveErrorsByHand) {
   EXPECT_NEAR(summary.max_m, 10, 1e-12);
 }
 
+TEST(Metrics, EachFloorOffCostsFifteenMetresInTheCompetitionsScore) {
+  std::vector<WaypointError> errors = {Error(4), Error(1), Error(3), Error(2), Error(10)};
+  EXPECT_NEAR(Summarise(errors).ipin_m, 4, 1e-12);
+  errors[1].floors_off = 2;  // 31: now 2, 3, 4, 10, 31
+  EXPECT_NEAR(Summarise(errors).ipin_m, 10, 1e-12);
+  EXPECT_NEAR(Summarise(errors).p75_m, 4, 1e-12);
+}
+
 TEST(Metrics, NoErrorsMakeNoNumbers) {
   const ErrorSummary summary = Summarise({});
   EXPECT_EQ(summary.n, 0);
@@ -91,8 +99,8 @@ TEST(Metrics, FixedPointIsOnItsFloorOnly) {
   const Truth truth = {TruthFrame::kBuilding, {{0, {3, 4}, 1}, {1, {0, 1}, 2}}};
   const std::vector<WaypointError> errors = ErrorsOfFixedPoint({0, 0}, 2, truth);
   EXPECT_NEAR(errors[0].error_m, 5, 1e-12);
-  EXPECT_FALSE(errors[0].floor_correct);
-  EXPECT_TRUE(errors[1].floor_correct);
+  EXPECT_GT(errors[0].floors_off, 0);
+  EXPECT_EQ(errors[1].floors_off, 0);
 }
 
 }  // namespace

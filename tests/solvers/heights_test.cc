@@ -61,12 +61,18 @@ TEST(Heights, OffsetsComeOutWithinTheirSigmas) {
 // Two phones on one walk: what one shows more than the other is what their offsets differ by.
 TEST(Heights, TheDifferenceOfTwoPhonesIsThatOfTheirOffsets) {
   TwoFloors first(1), second(1);
-  const auto offset = [](TwoFloors& house, double offset_m) {
+  const auto offset = [](TwoFloors& house, const char* state, double offset_m) {
     const EstimateResult result =
         BatchSmoother({}, {}).Estimate(house.site, house.Ride(kStays, offset_m));
-    return States(result, "barometric_offset_m").front().value;
+    return States(result, state).front().value;
   };
-  EXPECT_NEAR(offset(first, 100.0) - offset(second, 96.25), 3.75, 0.01);
+  EXPECT_NEAR(
+      offset(first, "barometric_offset_m", 100.0) - offset(second, "barometric_offset_m", 96.25),
+      3.75, 0.01);
+  // At sea level 3.75 m are 0.45 hPa.
+  EXPECT_NEAR(
+      offset(first, "barometric_offset_hpa", -3.75) - offset(second, "barometric_offset_hpa", 0.0),
+      0.45, 0.01);
 }
 
 TEST(Heights, TheWindowFindsThem) {
