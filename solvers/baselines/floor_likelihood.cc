@@ -112,30 +112,32 @@ std::vector<FloorLook> FloorSounds::Looks(const Evidence& evidence,
 
 void FloorSounds::AppendLooks(const Evidence& evidence, Radio radio, const std::vector<int>& floors,
                               std::vector<FloorLook>* looks) const {
-  const double correlation_s = settings_.map_error.correlation_s;
   const std::vector<std::int32_t> site_index = MatchTransmitters(site_, evidence);
-  const std::vector<Sweep> sweeps = GroupSweeps(evidence, radio);
-  std::size_t first = 0;  // sweep of the look
-  for (std::size_t last = 0; last < sweeps.size(); ++last) {
-    const TimeNs now_ns = sweeps[last].mean_heard_ns;
-    while (SecondsBetween(sweeps[first].mean_heard_ns, now_ns) > correlation_s) ++first;
-    MeanSignals signals;
-    FloorLook look;
-    for (std::size_t s = first; s <= last; ++s) {
-      for (const std::size_t i : sweeps[s].readings) {
-        const RadioReading& reading = evidence.readings[i];
-        look.printed_ns = std::max(look.printed_ns, reading.printed_ns);
-        const std::int32_t transmitter = site_index[reading.transmitter];
-        if (transmitter == kUnknownTransmitter) continue;
-        signals.Add(static_cast<std::uint32_t>(transmitter), reading.rssi_dbm);
-      }
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(floors.size()));
+  std::int64_t stretch = -1;
+  MeanSignals signals;             // of the stretch so far
+  Eigen::VectorXd said = nothing;  // by the stretch so far
+  for (const Sweep& sweep : GroupSweeps(evidence, radio)) {
+    const std::int64_t at =
+        Stretch(sweep.mean_heard_ns, evidence.begin_ns, settings_.map_error.correlation_s);
+    if (at != stretch) {
+      stretch = at;
+      signals = {};
+      said = nothing;
+    }
+    FloorLook look{sweep.mean_heard_ns, sweep.mean_heard_ns, {}};
+    for (const std::size_t i : sweep.readings) {
+      const RadioReading& reading = evidence.readings[i];
+      look.printed_ns = std::max(look.printed_ns, reading.printed_ns);
+      const std::int32_t transmitter = site_index[reading.transmitter];
+      if (transmitter == kUnknownTransmitter) continue;
+      signals.Add(static_cast<std::uint32_t>(transmitter), reading.rssi_dbm);
     }
     const Signals heard = signals.Means();
     if (heard.empty()) continue;
-    look.mean_heard_ns = sweeps[first].mean_heard_ns + (now_ns - sweeps[first].mean_heard_ns) / 2;
-    const double news =
-        last == 0 ? 1.0 : SecondsBetween(sweeps[last - 1].mean_heard_ns, now_ns) / correlation_s;
-    look.log_likelihood = std::min(1.0, news) * LogLikelihood(radio, floors, heard);
+    const Eigen::VectorXd now = LogLikelihood(radio, floors, heard);
+    look.log_likelihood = now - said;
+    said = now;
     looks->push_back(std::move(look));
   }
 }

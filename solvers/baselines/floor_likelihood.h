@@ -12,9 +12,9 @@
 
 namespace walkgraph {
 
-// What a radio heard over a stretch of a walk says about the floor.
+// What a sweep of a radio adds to what is known about the floor.
 struct FloorLook {
-  TimeNs mean_heard_ns = 0;        // middle of the stretch
+  TimeNs mean_heard_ns = 0;
   TimeNs printed_ns = 0;           // when all of it was known
   Eigen::VectorXd log_likelihood;  // by floor, nats, up to a constant
 };
@@ -29,8 +29,9 @@ struct FloorLook {
 // settings.background: of a floor that was hardly surveyed it is hardly known how it sounds. One
 // scale serves all floors, which maps that are calibrated one by one do not offer.
 //
-// A walk is looked at back from each of its sweeps. The first look counts in full, each later one
-// with the share of a correlation time that has passed since the one before: so much is new in it.
+// Walk and survey are cut into stretches of that length. What each sweep of the walk says is by how
+// much it changes the log likelihood of the look that its stretch has been so far, so that a
+// stretch says what its whole look says, and a window need not wait for it to be whole.
 class FloorSounds {
  public:
   // Keeps references to both.
