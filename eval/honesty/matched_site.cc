@@ -2,12 +2,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 
+#include "eval/honesty/random_field.h"
 #include "frontends/radio_map/hearing.h"
 
 namespace walkgraph {
@@ -19,36 +18,13 @@ constexpr double kSpacingM = 3;
 constexpr int kTransmitters = 60;
 constexpr double kSmallestSpreadDb = 4;
 
-// A stationary Gaussian field of variance one by random Fourier features (Rahimi and Recht, 2007):
-// a sum of cosines whose wave vectors are normal, which gives a squared-exponential covariance.
-class SmoothField {
- public:
-  SmoothField(double length_m, Random random) {
-    for (Wave& wave : waves_) {
-      wave.vector = {random.Normal() / length_m, random.Normal() / length_m};
-      wave.phase_rad = random.Uniform(0, 2 * std::numbers::pi);
-    }
-  }
-  double At(const Eigen::Vector2d& position_m) const {
-    double sum = 0;
-    for (const Wave& wave : waves_) sum += std::cos(wave.vector.dot(position_m) + wave.phase_rad);
-    return sum * std::sqrt(2.0 / static_cast<double>(waves_.size()));
-  }
-
- private:
-  struct Wave {
-    Eigen::Vector2d vector = Eigen::Vector2d::Zero();
-    double phase_rad = 0;
-  };
-  std::array<Wave, 64> waves_;
-};
-
 RadioMap::TransmitterField MakeField(int index, const FieldGrid& grid, Random random) {
   constexpr double kNearM = 3, kAtOneMetreDbm = -38, kExponent = 2.8;
   constexpr double kShadowDb = 4, kShadowM = 8;
   const Eigen::Vector2d sender(random.Uniform(-kHalfWidthM, kHalfWidthM),
                                random.Uniform(-kHalfWidthM, kHalfWidthM));
-  const SmoothField shadow(kShadowM, random.Fork(0)), spread(2 * kShadowM, random.Fork(1));
+  const auto shadow = RandomField::SquaredExponential(kShadowM, random.Fork(0));
+  const auto spread = RandomField::SquaredExponential(2 * kShadowM, random.Fork(1));
   RadioMap::TransmitterField field;
   field.transmitter = static_cast<std::uint32_t>(index);
   field.columns = grid.columns;

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "eval/honesty/planned_inputs.h"
+#include "eval/honesty/random_field.h"
 #include "factors/absolute_heading.h"
 #include "factors/fingerprint.h"
 #include "factors/heading_increment.h"
@@ -40,10 +42,29 @@ BlockLinearization LinearizeBlock(const FactorGraph& graph, const GraphFactor& f
   return {residual, jacobian};
 }
 
+// The map's error as a property of places.
+class PlaceError {
+ public:
+  PlaceError(const MapErrorSettings& settings, const Random& random)
+      : sigma_m_(settings.sigma_m),
+        x_(RandomField::Exponential(kPlannedSpeedMps * settings.correlation_s, random.Fork(0))),
+        y_(RandomField::Exponential(kPlannedSpeedMps * settings.correlation_s, random.Fork(1))) {}
+
+  Eigen::Vector2d At(const Eigen::Vector2d& position_m) const {
+    return sigma_m_ * Eigen::Vector2d(x_.At(position_m), y_.At(position_m));
+  }
+
+ private:
+  double sigma_m_;
+  RandomField x_, y_;
+};
+
 class WalkSampler {
  public:
-  WalkSampler(const Site& site, const FactorSettings& settings, Evidence inputs, Random random)
+  WalkSampler(const Site& site, const FactorSettings& settings, MapErrorDraw map_error,
+              Evidence inputs, Random random)
       : site_(site), evidence_(std::move(inputs)), random_(random) {
+    if (map_error == MapErrorDraw::kPlace) place_error_.emplace(settings.map_error, random_);
     AddPlaceholders();
     walk_ = BuildWalkGraph(site, evidence_, settings, site.maps.front().floor);
   }
@@ -139,9 +160,12 @@ class WalkSampler {
   void DrawScan(const GraphFactor& factor, TimeNs time_ns, std::vector<RadioReading>* readings) {
     const RadioMap& map = site_.maps.front();
     const std::size_t blocks = factor.blocks.size();
-    const Eigen::Map<const Eigen::Vector2d> map_error(graph().value(factor.blocks[blocks - 2]));
+    const Eigen::Vector2d position = PositionAt(time_ns);
+    const Eigen::Vector2d map_error =
+        place_error_ ? place_error_->At(position)
+                     : Eigen::Map<const Eigen::Vector2d>(graph().value(factor.blocks[blocks - 2]));
     const double offset_db = *graph().value(factor.blocks[blocks - 1]);
-    const FieldBasis basis = EvaluateBasis(map.grid, PositionAt(time_ns) + map_error);
+    const FieldBasis basis = EvaluateBasis(map.grid, position + map_error);
     for (std::size_t i = 0; i < map.fields.size(); ++i) {
       const FieldValue field = map.EvaluateValue(static_cast<int>(i), basis);
       if (random_.Uniform() >= 1.0 / (1.0 + std::exp(-field.logit_hear))) continue;
@@ -175,6 +199,7 @@ class WalkSampler {
   const Site& site_;
   Evidence evidence_;
   Random random_;
+  std::optional<PlaceError> place_error_;  // none: the graph's own process
   WalkGraph walk_;
   int silent_scans_ = 0;
 };
@@ -196,10 +221,10 @@ Settings MatchedSettings() {
   return settings;
 }
 
-MatchedWalk DrawMatchedWalk(const Site& site, const FactorSettings& settings, double duration_s,
-                            Random random) {
+MatchedWalk DrawMatchedWalk(const Site& site, const FactorSettings& settings,
+                            MapErrorDraw map_error, double duration_s, Random random) {
   Evidence inputs = PlanInputs(duration_s, &random);
-  return WalkSampler(site, settings, std::move(inputs), random).Sample();
+  return WalkSampler(site, settings, map_error, std::move(inputs), random).Sample();
 }
 
 }  // namespace walkgraph

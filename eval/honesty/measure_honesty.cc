@@ -67,8 +67,8 @@ HonestyResult MeasureDrawn(const HonestyOptions& options) {
   std::vector<std::vector<ResidualStatistics>> at_truth(names.size());
   Progress progress(options.walks, "walks", options.out + "/run/progress");
   ParallelFor(options.workers, names.size(), options.stopped, [&](std::size_t i) {
-    const MatchedWalk drawn =
-        DrawMatchedWalk(site, settings.factors, options.duration_s, random.Fork(i + 1));
+    const MatchedWalk drawn = DrawMatchedWalk(site, settings.factors, options.map_error,
+                                              options.duration_s, random.Fork(i + 1));
     at_truth[i] = StatisticsAtTruth(site, settings.factors, drawn);
     for (std::size_t m = 0; m < estimators.size(); ++m) {
       result.outcomes[m][i] = Measure(*estimators[m], site, drawn.evidence, drawn.truth, 0);

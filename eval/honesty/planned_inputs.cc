@@ -10,7 +10,7 @@ namespace {
 
 constexpr TimeNs kBeginNs = 1'700'000'000 * kNsPerSecond;
 constexpr double kStepLengthM = 0.7;
-constexpr double kStepS = 0.55;
+constexpr double kStepS = kStepLengthM / kPlannedSpeedMps;
 constexpr double kHalfBoxM = 12;
 
 class Planner {

@@ -6,6 +6,8 @@
 
 namespace walkgraph {
 
+inline constexpr double kPlannedSpeedMps = 0.7 / 0.55;  // steps of 0.7 m, each 0.55 s
+
 // Steps, motion states and gyroscope yaw of a tour of straight legs, right-angled turns, turns back
 // and pauses that dead reckoning sees stay within some 12 m of its start. Nothing here depends on
 // where the walk truly goes: to the model these are inputs, not measurements.

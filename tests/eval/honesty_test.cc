@@ -14,6 +14,7 @@
 #include "eval/honesty/matched_site.h"
 #include "eval/honesty/matched_walk.h"
 #include "eval/honesty/planned_inputs.h"
+#include "eval/honesty/random_field.h"
 #include "eval/run_program.h"
 #include "graph/statistics.h"
 #include "graph/walk_graph.h"
@@ -94,10 +95,29 @@ TEST(PlanInputs, StepsTouchAndDeadReckoningStaysNearItsStart) {
   }
 }
 
+// Over many fields: variance one, and the covariance that was asked for.
+TEST(RandomField, HasItsCovariance) {
+  constexpr double kLengthM = 8, kApartM = 6;
+  double square = 0, smooth = 0, rough = 0;
+  constexpr int kFields = 4000;
+  for (int i = 0; i < kFields; ++i) {
+    const auto a = RandomField::SquaredExponential(kLengthM, Random(7).Fork(2 * i));
+    const auto b = RandomField::Exponential(kLengthM, Random(7).Fork(2 * i + 1));
+    const Eigen::Vector2d from(3, -2), to = from + kApartM * Eigen::Vector2d(0.6, 0.8);
+    square += b.At(from) * b.At(from) / kFields;
+    smooth += a.At(from) * a.At(to) / kFields;
+    rough += b.At(from) * b.At(to) / kFields;
+  }
+  EXPECT_NEAR(square, 1, 0.09);
+  EXPECT_NEAR(smooth, std::exp(-0.5 * kApartM * kApartM / (kLengthM * kLengthM)), 0.08);
+  EXPECT_NEAR(rough, std::exp(-kApartM / kLengthM), 0.08);
+}
+
 class Matched : public ::testing::Test {
  protected:
   MatchedWalk Walk(std::uint64_t number) const {
-    return DrawMatchedWalk(site_, settings_.factors, 120, Random(3).Fork(number));
+    return DrawMatchedWalk(site_, settings_.factors, MapErrorDraw::kTime, 120,
+                           Random(3).Fork(number));
   }
 
   Settings settings_ = MatchedSettings();
@@ -181,6 +201,16 @@ TEST_F(Matched, TheBatchIsHonestAndAWrongModelShows) {
   // Without the state for the error that scans at a place share, covariances are far too small.
   settings_.factors.map_error.mode = StateMode::kAbsent;
   EXPECT_GT(BatchNees(site_, settings_, walks), 2 * honest);
+}
+
+// The person who comes back meets the same error again only where it belongs to the place.
+TEST_F(Matched, ErrorsOfPlacesAreNotThoseOfTheGraph) {
+  const auto Draw = [&](MapErrorDraw map_error) {
+    return DrawMatchedWalk(site_, settings_.factors, map_error, 60, Random(9));
+  };
+  const MatchedWalk time = Draw(MapErrorDraw::kTime), place = Draw(MapErrorDraw::kPlace);
+  EXPECT_EQ(time.values, place.values);
+  EXPECT_NE(time.evidence.readings.front().rssi_dbm, place.evidence.readings.front().rssi_dbm);
 }
 
 std::string FreshFolder(const std::string& name) {
