@@ -76,10 +76,12 @@ Site MakeMatchedSite(double map_error_sigma_m, const Random& random) {
     site.transmitters.push_back({Radio::kWifi, "sender" + std::to_string(100 + i)});
   }
   site.maps.push_back(MakeMap(map_error_sigma_m, random));
-  std::uint32_t row = 0;
-  for (double y = -kHalfWidthM + 0.5 * kSpacingM; y < kHalfWidthM; y += kSpacingM, ++row) {
-    for (double x = -kHalfWidthM + 0.5 * kSpacingM; x < kHalfWidthM; x += kSpacingM) {
-      site.path.push_back({{x, y}, kFloor, row});
+  const int across = static_cast<int>(2 * kHalfWidthM / kSpacingM);
+  for (int row = 0; row < across; ++row) {
+    for (int column = 0; column < across; ++column) {
+      const Eigen::Vector2d at = kSpacingM * Eigen::Vector2d(column + 0.5, row + 0.5) -
+                                 Eigen::Vector2d::Constant(kHalfWidthM);
+      site.path.push_back({at, kFloor, static_cast<std::uint32_t>(row)});
     }
   }
   return site;

@@ -89,9 +89,9 @@ class WalkSampler {
       evidence_.absolute_heading_rad.push_back(time_ns, 0);
       evidence_.absolute_heading_sigma_rad.push_back(0);
     }
-    for (double s = 0.5 * kScanS; s < SecondsBetween(evidence_.begin_ns, evidence_.end_ns);
-         s += kScanS) {
-      const TimeNs time_ns = evidence_.begin_ns + DurationNs(s);
+    const double duration_s = SecondsBetween(evidence_.begin_ns, evidence_.end_ns);
+    for (int scan = 0; (scan + 0.5) * kScanS < duration_s; ++scan) {
+      const TimeNs time_ns = evidence_.begin_ns + DurationNs((scan + 0.5) * kScanS);
       evidence_.readings.push_back({time_ns, time_ns, 0, -60});
     }
   }
@@ -178,7 +178,7 @@ class WalkSampler {
   Eigen::Vector2d PositionAt(TimeNs time_ns) {
     const NodeBracket bracket = FindBracket(walk_.node_ns, time_ns);
     const auto before = static_cast<std::size_t>(bracket.before);
-    const Eigen::Vector2d from = NodePosition(before);
+    Eigen::Vector2d from = NodePosition(before);
     if (bracket.fraction <= 0) return from;
     return from + bracket.fraction * (NodePosition(before + 1) - from);
   }

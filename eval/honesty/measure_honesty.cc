@@ -62,6 +62,7 @@ HonestyResult MeasureDrawn(const HonestyOptions& options) {
   std::vector<std::unique_ptr<Estimator>> estimators;
   for (const Method* method : options.methods) estimators.push_back(method->make(settings));
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(options.walks));
   for (int i = 0; i < options.walks; ++i) names.push_back("drawn" + std::to_string(1000 + i));
   HonestyResult result = EmptyResult(options, names);
   std::vector<std::vector<ResidualStatistics>> at_truth(names.size());
@@ -112,6 +113,7 @@ HonestyResult MeasureRecorded(const HonestyOptions& options, const Dataset& trai
   const std::vector<LoadedWalk> tested = Load(options, test, train.building, settings.frontend);
   const std::vector<const LoadedWalk*> walks = Pointers(tested);
   std::vector<std::string> names;
+  names.reserve(walks.size());
   for (const LoadedWalk* walk : walks) names.push_back(walk->file.id);
   HonestyResult result = EmptyResult(options, names);
   if (options.stopped()) return result;
