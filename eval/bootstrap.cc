@@ -25,7 +25,7 @@ Interval BootstrapMean(const std::vector<WalkTotal>& walks) {
     if (walk.n > 0) scored.push_back(walk);
   }
   if (scored.size() < 2) return {};
-  Random random(kBootstrapSeed);
+  SplitMix64 random(kBootstrapSeed);
   std::vector<double> means;
   std::vector<WalkTotal> resample(scored.size());
   for (int i = 0; i < kBootstrapResamples; ++i) {

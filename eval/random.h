@@ -23,10 +23,11 @@ constexpr std::uint64_t HashText(std::string_view text, std::uint64_t hash = 0xc
   return hash;
 }
 
-// SplitMix64 generator.
-class Random {
+// SplitMix64 generator. Not called Random: the simulator has a class of that name, and a program
+// that links both would keep the inline constructor of one of them for both.
+class SplitMix64 {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t Next() {
     state_ += 0x9e3779b97f4a7c15u;

@@ -11,6 +11,7 @@ Verb SurveyVerb();
 Verb CalibrateVerb();
 Verb SmoothVerb();
 Verb EvaluateVerb();
+Verb HonestyVerb();
 Verb ReportVerb();
 Verb SimulateVerb();
 Verb ConfigVerb();

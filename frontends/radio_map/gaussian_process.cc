@@ -103,6 +103,7 @@ FieldProcess::LeftOut FieldProcess::LeaveOneTrialOut() const {
 
   LeftOut out;
   out.whitened.resize(static_cast<std::size_t>(n));
+  out.sigma_db.resize(static_cast<std::size_t>(n));
   for (const auto& [trial, members] : by_trial) {
     const Eigen::MatrixXd block = precision(members, members);
     const Eigen::MatrixXd covariance =
@@ -113,6 +114,7 @@ FieldProcess::LeftOut FieldProcess::LeaveOneTrialOut() const {
       const double sigma = std::sqrt(covariance(i, i));
       const double z = residual(i) / sigma;
       out.whitened[static_cast<std::size_t>(members[k])] = z;
+      out.sigma_db[static_cast<std::size_t>(members[k])] = sigma;
       out.log_density -= 0.5 * z * z + std::log(sigma * std::sqrt(2.0 * std::numbers::pi));
     }
   }

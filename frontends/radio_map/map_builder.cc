@@ -22,6 +22,7 @@ std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings,
     auto& [sum, count] = cells[{reading.walk, std::lround(cell.x()), std::lround(cell.y())}];
     sum.position_m += reading.position_m;
     sum.rssi_dbm += reading.rssi_dbm;
+    sum.scatter_db2 += reading.rssi_dbm * reading.rssi_dbm;
     sum.walk = reading.walk;
     sum.trial = reading.trial;
     ++count;
@@ -31,6 +32,8 @@ std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings,
   for (auto& [key, cell] : cells) {
     cell.first.position_m /= cell.second;
     cell.first.rssi_dbm /= cell.second;
+    const double mean_square = cell.first.scatter_db2 / cell.second;
+    cell.first.scatter_db2 = std::max(0.0, mean_square - cell.first.rssi_dbm * cell.first.rssi_dbm);
     samples.push_back(cell.first);
   }
   return samples;
@@ -145,8 +148,10 @@ double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>
   double sum = 0;
   std::size_t count = 0;
   for (const auto* list : SelectForFit(samples)) {
-    for (const double z : FieldProcess(*list, prior).LeaveOneTrialOut().whitened) {
-      sum += z * z;
+    const FieldProcess::LeftOut left_out = FieldProcess(*list, prior).LeaveOneTrialOut();
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      const double z = left_out.whitened[i], sigma_db = left_out.sigma_db[i];
+      sum += z * z + (*list)[i].scatter_db2 / (sigma_db * sigma_db);
       ++count;
     }
   }

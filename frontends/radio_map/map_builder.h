@@ -35,9 +35,9 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
                                                                  const TrainerSettings& settings,
                                                                  const MapDetail& detail = {});
 
-// Root mean square of the readings' residuals over their predicted sigma when whole trials are left
-// out in turn, on an even selection of transmitters; 1 where no two trials heard anything in
-// common.
+// Root mean square of the readings' residuals over their predicted sigma (of the readings, not of
+// the samples that average them: the map is held against readings) when whole trials are left out
+// in turn, on an even selection of transmitters; 1 where no two walks heard anything in common.
 double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>& samples,
                          const FieldPrior& prior);
 

@@ -28,7 +28,7 @@ TEST(Bootstrap, OneWalkSaysNothingAboutSpread) {
 // For many independent walks the interval is that of the central limit theorem, mean +- 1.96
 // s/sqrt(n).
 TEST(Bootstrap, AgreesWithTheNormalIntervalOfManyWalks) {
-  Random random(7);
+  SplitMix64 random(7);
   std::vector<WalkTotal> walks;
   double sum = 0, sum_of_squares = 0;
   constexpr int kWalks = 400;
@@ -47,14 +47,14 @@ TEST(Bootstrap, AgreesWithTheNormalIntervalOfManyWalks) {
 
 // The generator's first numbers, so that a change of platform or code cannot pass unseen (the
 // reference values of SplitMix64 for seed 1234567).
-TEST(Random, MatchesSplitMix64) {
-  Random random(1234567);
+TEST(SplitMix64, MatchesItsReference) {
+  SplitMix64 random(1234567);
   EXPECT_EQ(random.Next(), 6457827717110365317u);
   EXPECT_EQ(random.Next(), 3203168211198807973u);
   EXPECT_EQ(random.Next(), 9817491932198370423u);
 }
 
-TEST(Random, HashIsFnv1a) {
+TEST(HashText, IsFnv1a) {
   EXPECT_EQ(HashText(""), 0xcbf29ce484222325u);
   EXPECT_EQ(HashText("a"), 0xaf63dc4c8601ec8cu);
   EXPECT_EQ(HashText("foobar"), 0x85944171f73967e8u);

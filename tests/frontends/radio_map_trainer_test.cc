@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "frontends/radio_map/gaussian_process.h"
 #include "frontends/radio_map/map_builder.h"
 #include "frontends/radio_map/site_file.h"
 #include "frontends/radio_map/trainer.h"
@@ -258,6 +259,35 @@ TEST(CollectSamplesTest, MergesNeighboursOfOneWalkOnly) {
   ASSERT_EQ(list.size(), 3U);
   EXPECT_NEAR(list[0].rssi_dbm, -65, 1e-6);
   EXPECT_LT((list[0].position_m - Eigen::Vector2d(6.2, 6.0)).norm(), 1e-6);
+}
+
+// Samples that average many readings are better than a single one, but it is single ones that a
+// map's spread is held against.
+TEST(TrainSiteTest, SpreadIsThatOfSingleReadingsHoweverManyMakeASample) {
+  constexpr double kNoiseDb = 6;
+  constexpr int kReadingsPerPlace = 10;
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, kNoiseDb);
+  std::vector<SurveyScan> scans;
+  for (std::uint32_t walk = 0; walk < 6; ++walk) {
+    for (int i = 0; i < 20 * kReadingsPerPlace; ++i) {
+      const Eigen::Vector2f at(3.0F * static_cast<float>(i / kReadingsPerPlace), 0);
+      SurveyScan scan;
+      scan.walk = walk;
+      scan.readings = {{0, static_cast<float>(-60 + noise(random)), 0, at}};
+      scans.push_back(scan);
+    }
+  }
+  ScanList list;
+  for (const SurveyScan& scan : scans) list.push_back(&scan);
+  const auto samples = CollectSamples(list, TrainerSettings());
+  ASSERT_EQ(samples.at(0).size(), 6u * 20u);
+  FieldPrior prior;
+  prior.amplitude_db = 1;
+  prior.noise_db = kNoiseDb / std::sqrt(kReadingsPerPlace);
+  Eigen::VectorXd mean_dbm, sigma_db;
+  FieldProcess(samples.at(0), prior).Predict(Eigen::Vector2d(30, 0), &mean_dbm, &sigma_db);
+  EXPECT_NEAR(LeftOutSigmaScale(samples, prior) * sigma_db[0], kNoiseDb, 0.15 * kNoiseDb);
 }
 
 }  // namespace
