@@ -191,7 +191,7 @@ class WalkSampler {
     Truth truth;
     truth.frame = TruthFrame::kBuilding;
     for (std::size_t i = 0; i < walk_.node_ns.size(); ++i) {
-      truth.waypoints.push_back({walk_.node_ns[i], NodePosition(i), walk_.floor});
+      truth.waypoints.push_back({walk_.node_ns[i], NodePosition(i), *evidence_.floor});
     }
     return truth;
   }
