@@ -49,8 +49,7 @@ double CalibrateReadingLag(const Building& building, const std::vector<SurveyWal
     std::map<int, std::vector<SurveyScan>> by_floor;
     for (std::size_t w = 0; w < walks.size(); ++w) {
       if (walks[w].trajectory.empty()) continue;
-      for (SurveyScan& scan : PlaceScans(walks[w], static_cast<std::uint32_t>(w), radio,
-                                         site_index[w], kLadder[l], kRange)) {
+      for (SurveyScan& scan : PlaceScans(walks, w, radio, site_index[w], kLadder[l], kRange)) {
         by_floor[scan.floor].push_back(std::move(scan));
       }
     }

@@ -1,5 +1,6 @@
 #include "frontends/radio_map/survey_scans.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "frontends/radio_map/sweeps.h"
@@ -16,16 +17,27 @@ bool IsPlaced(const Trajectory& trajectory, TimeNs stamp_ns, const LagRange& lag
   return before_s - lags.first_s <= kClampSeconds && after_s + lags.last_s <= kClampSeconds;
 }
 
+std::uint32_t FirstOfTrial(const std::vector<SurveyWalk>& walks, std::size_t index) {
+  if (walks[index].trial.empty()) return static_cast<std::uint32_t>(index);
+  const auto first = std::find_if(walks.begin(), walks.end(), [&](const SurveyWalk& walk) {
+    return walk.trial == walks[index].trial;
+  });
+  return static_cast<std::uint32_t>(first - walks.begin());
+}
+
 }  // namespace
 
-std::vector<SurveyScan> PlaceScans(const SurveyWalk& walk, std::uint32_t index, Radio radio,
-                                   const std::vector<std::int32_t>& site_index, double lag_s,
-                                   const LagRange& placed) {
+std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::size_t index,
+                                   Radio radio, const std::vector<std::int32_t>& site_index,
+                                   double lag_s, const LagRange& placed) {
+  const SurveyWalk& walk = walks[index];
+  const std::uint32_t trial = FirstOfTrial(walks, index);
   const TimeNs lag_ns = DurationNs(lag_s);
   std::vector<SurveyScan> scans;
   for (const Sweep& sweep : GroupSweeps(*walk.evidence, radio)) {
     SurveyScan scan;
-    scan.walk = index;
+    scan.walk = static_cast<std::uint32_t>(index);
+    scan.trial = trial;
     scan.radio = radio;
     scan.printed_ns = walk.evidence->readings[sweep.readings.front()].printed_ns;
     scan.floor = walk.trajectory.At(sweep.mean_heard_ns + lag_ns).floor;

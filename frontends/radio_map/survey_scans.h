@@ -17,12 +17,12 @@ struct LagRange {
 
 // The unique readings of a survey walk's scans of one radio, each where the person was `lag_s`
 // after it was stamped (see Site::reading_lag_s). `placed` is {lag_s, lag_s}, or wider where
-// different lags are to be compared on the same readings. `index` is the walk's number,
+// different lags are to be compared on the same readings. `index` is the walk's,
 // `site_index` the site's transmitter of each of the evidence's. Precondition: the trajectory is
 // not empty.
-std::vector<SurveyScan> PlaceScans(const SurveyWalk& walk, std::uint32_t index, Radio radio,
-                                   const std::vector<std::int32_t>& site_index, double lag_s,
-                                   const LagRange& placed);
+std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::size_t index,
+                                   Radio radio, const std::vector<std::int32_t>& site_index,
+                                   double lag_s, const LagRange& placed);
 
 }  // namespace walkgraph
 

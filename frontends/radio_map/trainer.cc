@@ -26,14 +26,6 @@ std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
   return {all.begin(), all.end()};
 }
 
-std::uint32_t FirstOfTrial(const std::vector<SurveyWalk>& walks, std::size_t index) {
-  if (walks[index].trial.empty()) return static_cast<std::uint32_t>(index);
-  const auto first = std::find_if(walks.begin(), walks.end(), [&](const SurveyWalk& walk) {
-    return walk.trial == walks[index].trial;
-  });
-  return static_cast<std::uint32_t>(first - walks.begin());
-}
-
 void AppendPath(const Trajectory& trajectory, std::uint32_t walk, std::vector<SurveyPoint>* path) {
   const PoseEstimate* last = nullptr;
   for (const PoseEstimate& pose : trajectory.poses) {
@@ -94,9 +86,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
     }
     for (std::size_t i = 0; i < walks.size(); ++i) {
       if (walks[i].trajectory.empty()) continue;
-      for (SurveyScan& scan : PlaceScans(walks[i], static_cast<std::uint32_t>(i), radio,
-                                         site_index[i], lag_s, {lag_s, lag_s})) {
-        scan.trial = FirstOfTrial(walks, i);
+      for (SurveyScan& scan : PlaceScans(walks, i, radio, site_index[i], lag_s, {lag_s, lag_s})) {
         site.scans.push_back(std::move(scan));
       }
     }

@@ -220,7 +220,7 @@ TEST(LeftOutSigmaScaleTest, GrowsWithTheScatterOfTheReadings) {
   const auto scale_of = [&](double noise_db) {
     std::vector<FieldSample> samples;
     for (std::uint32_t i = 0; i < 400; ++i) {
-      samples.push_back({{1.0 * (i / 2), 0}, -70 + noise_db * normal(random), i % 2});
+      samples.push_back({{1.0 * (i / 2), 0}, -70 + noise_db * normal(random), i % 2, i % 2});
     }
     return LeftOutSigmaScale({{0, samples}}, prior);
   };
@@ -229,7 +229,7 @@ TEST(LeftOutSigmaScaleTest, GrowsWithTheScatterOfTheReadings) {
 }
 
 TEST(LeftOutSigmaScaleTest, IsOneWhereNoWalksShareATransmitter) {
-  std::vector<FieldSample> alone(20, {{1, 1}, -40, 0}), other(20, {{1, 1}, -90, 1});
+  std::vector<FieldSample> alone(20, {{1, 1}, -40, 0, 0}), other(20, {{1, 1}, -90, 1, 1});
   EXPECT_EQ(LeftOutSigmaScale({{0, alone}, {1, other}}, {}), 1.0);
   EXPECT_EQ(LeftOutSigmaScale({}, {}), 1.0);
 }
@@ -273,7 +273,7 @@ TEST(TrainSiteTest, SpreadIsThatOfSingleReadingsHoweverManyMakeASample) {
     for (int i = 0; i < 20 * kReadingsPerPlace; ++i) {
       const Eigen::Vector2f at(3.0F * static_cast<float>(i / kReadingsPerPlace), 0);
       SurveyScan scan;
-      scan.walk = walk;
+      scan.walk = scan.trial = walk;
       scan.readings = {{0, static_cast<float>(-60 + noise(random)), 0, at}};
       scans.push_back(scan);
     }
