@@ -122,8 +122,7 @@ struct LevelSettings {
   double climb_m_per_sqrt_s = 0.5;
 };
 
-// What the discrete floor model assumes. `stay_s` and `change_s` are our choice: any within a
-// factor of three say the same where there is a barometer.
+// What the discrete floor model assumes. Our choice, spread and background looked at on ipin2023.
 struct FloorSettings {
   double stay_s = 300;
   double change_s = 20;

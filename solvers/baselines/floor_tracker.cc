@@ -96,7 +96,9 @@ class FloorModel {
   void LayOutCells() {
     const std::vector<double>& heights = evidence_.barometric_height_m.value;
     const BarometricOffsetSettings& offset = settings_.barometric_offset;
-    measured_ = settings_.barometric.enabled && !heights.empty();
+    // A building that does not know the heights of its floors gives pressure nothing to go by.
+    const bool known = std::set<double>(heights_m_.begin(), heights_m_.end()).size() > 1;
+    measured_ = settings_.barometric.enabled && !heights.empty() && known;
     if (!measured_) return;
     if (offset.mode != StateMode::kActive) {  // one cell: it is known
       first_m_ = offset.mode == StateMode::kFixed ? offset.prior_mean_m : 0.0;

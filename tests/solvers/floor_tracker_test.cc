@@ -64,6 +64,14 @@ TEST(FloorTracker, WithoutABarometerTheRadioTells) {
   EXPECT_GT(Accuracy(TrackFloors(house.site, evidence, {}).path, stays), 0.85);
 }
 
+TEST(FloorTracker, FloorsWithoutHeightsAreToldByTheRadioAlone) {
+  TwoFloors house(4);
+  const std::vector<int> stays = TwoFloors::Stays({0, 1}, 120, 12);
+  const Evidence evidence = house.Ride(stays, 30.0);
+  for (Floor& floor : house.site.building.floors) floor.height_m = 0;
+  EXPECT_GT(Accuracy(TrackFloors(house.site, evidence, {}).path, stays), 0.85);
+}
+
 // The barometer alone sees a change, not where it begins; the prior says where people were
 // surveyed.
 TEST(FloorTracker, WithoutRadioTheBarometerTellsChanges) {
