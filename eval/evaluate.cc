@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "data/dataset.h"
@@ -41,8 +42,8 @@ class EvaluationRun {
 
   int Run() {
     PrepareResultFolder(options_.out);
-    LogToRunFolder(options_.out);
-    WriteRunDescription(options_.out, options_.command_line, options_.workers);
+    LogToRunFolder(options_.out + "/run");
+    WriteRunDescription(options_.out + "/run", options_.command_line, options_.workers);
     Load();
     AssignFolds();
     Estimate();
@@ -103,17 +104,21 @@ class EvaluationRun {
 
   void Estimate() {
     folds_.resize(walks_of_fold_.size());
+    estimators_.resize(walks_of_fold_.size());
     Progress progress(static_cast<int>(test_count_), "walks", ProgressLog());
     const FoldJobs jobs = {.prepare = [&](std::size_t fold) { Prepare(fold); },
                            .run =
                                [&](std::size_t fold, std::size_t walk) {
-                                 const Fold& f = folds_[fold];
                                  evaluation_.walks[walk] =
-                                     RunWalk(walk_options_, f.site, f.estimators, walks_[walk],
-                                             evaluation_.walks[walk].fold);
+                                     RunWalk(walk_options_, folds_[fold].site, estimators_[fold],
+                                             walks_[walk], evaluation_.walks[walk].fold);
                                  progress.Done(walks_[walk].file.id);
                                },
-                           .release = [&](std::size_t fold) { folds_[fold] = Fold(); }};
+                           .release =
+                               [&](std::size_t fold) {
+                                 folds_[fold] = Fold();
+                                 estimators_[fold].clear();
+                               }};
     RunFolds(options_.workers, walks_of_fold_, jobs, options_.stopped);
   }
 
@@ -125,7 +130,8 @@ class EvaluationRun {
           i < test_count_ && static_cast<std::size_t>(evaluation_.walks[i].fold) == fold;
       (held_out ? test : training).push_back(&walks_[i]);
     }
-    folds_[fold] = PrepareFold(building_, training, test, options_.methods, options_.overrides);
+    folds_[fold] = PrepareFold(building_, training, test, options_.overrides);
+    estimators_[fold] = MakeEstimators(options_.methods, folds_[fold].settings);
     run_.calibrated[fold] = ChangedValues(run_.settings, folds_[fold].settings);
     LOG(INFO) << "fold " << fold << ": " << training.size() << " walks to train on, "
               << SecondsSince(begin) << " s";
@@ -141,7 +147,7 @@ class EvaluationRun {
     WriteFileWhole(options_.out + "/scores.csv", FormatScoresCsv(evaluation_));
     WriteFileWhole(options_.out + "/building.json", FormatBuildingJson(building_));
     WriteFileWhole(options_.out + "/summary.json", FormatSummaryJson(evaluation_, sections, run_));
-    WriteTimings(options_.out, evaluation_);
+    WriteTimings(options_.out + "/run", evaluation_);
     std::fputs(FormatSummary(sections, SecondsPerWalk(evaluation_)).c_str(), stdout);
     return ExitCode();
   }
@@ -161,6 +167,7 @@ class EvaluationRun {
   std::vector<LoadedWalk> walks_;
   std::vector<std::vector<std::size_t>> walks_of_fold_;
   std::vector<Fold> folds_;
+  std::vector<std::vector<std::unique_ptr<Estimator>>> estimators_;  // by fold
   Evaluation evaluation_;
   WalkRunOptions walk_options_;
 };

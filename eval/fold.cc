@@ -37,7 +37,6 @@ std::vector<SurveyWalk> PlaceSurvey(const Building& building,
 
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
-                 const std::vector<const Method*>& methods,
                  const std::vector<ConfigOverride>& overrides) {
   HeardReadings heard_in_test;
   for (const LoadedWalk* walk : test) heard_in_test.Add(walk->evidence);
@@ -59,7 +58,6 @@ Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>&
   ApplyOverrides(overrides, &fold.settings);
   fold.site = TrainSite(building, PlaceSurvey(building, walks, trials, fold.settings),
                         fold.settings.radio_map);
-  for (const Method* method : methods) fold.estimators.push_back(method->make(fold.settings));
   return fold;
 }
 

@@ -1,12 +1,11 @@
 #ifndef WALKGRAPH_EVAL_FOLD_H_
 #define WALKGRAPH_EVAL_FOLD_H_
 
-#include <memory>
 #include <vector>
 
 #include "eval/config.h"
 #include "eval/loaded_walk.h"
-#include "eval/methods.h"
+#include "eval/settings.h"
 #include "frontends/radio_map/site.h"
 
 namespace walkgraph {
@@ -15,14 +14,12 @@ namespace walkgraph {
 struct Fold {
   Site site;
   Settings settings;  // calibrated on the training walks, then overridden by the user
-  std::vector<std::unique_ptr<Estimator>> estimators;
 };
 
 // Trains and calibrates on `training`. Readings that also occur in a walk of `test` are removed
 // first. Walks that could not be read or have no waypoints train nothing.
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
-                 const std::vector<const Method*>& methods,
                  const std::vector<ConfigOverride>& overrides);
 
 }  // namespace walkgraph

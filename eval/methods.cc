@@ -136,6 +136,14 @@ const std::vector<Method>& Methods() {
   return *kMethods;
 }
 
+std::vector<std::unique_ptr<Estimator>> MakeEstimators(const std::vector<const Method*>& methods,
+                                                       const Settings& settings) {
+  std::vector<std::unique_ptr<Estimator>> estimators;
+  estimators.reserve(methods.size());
+  for (const Method* method : methods) estimators.push_back(method->make(settings));
+  return estimators;
+}
+
 std::vector<const Method*> ParseMethods(std::string_view list) {
   std::vector<const Method*> methods;
   while (true) {

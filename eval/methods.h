@@ -23,6 +23,9 @@ struct Method {
 // Every method, in the order in which tables list them.
 const std::vector<Method>& Methods();
 
+std::vector<std::unique_ptr<Estimator>> MakeEstimators(const std::vector<const Method*>& methods,
+                                                       const Settings& settings);
+
 // The methods of a comma-separated list, each once, in the order given.
 // Throws UsageError for an empty list, a name that is unknown or given twice.
 std::vector<const Method*> ParseMethods(std::string_view list);

@@ -30,6 +30,7 @@ std::vector<WaypointError> ErrorsAtWaypoints(const Trajectory& trajectory, const
     error.error_m = difference.norm();
     error.floor = waypoint.floor;
     error.floors_off = std::abs(pose.floor - waypoint.floor);
+    error.claimed_m = std::sqrt(pose.covariance_xy_m2.trace());
     error.nees = Nees(difference, pose.covariance_xy_m2 + truth_covariance);
     errors.push_back(error);
   }

@@ -18,6 +18,8 @@ struct WaypointError {
   // Normalised estimation error squared, e^T S^-1 e with S the estimate's covariance plus the
   // waypoint's own; mean 2 where S is right. NaN where the method has no covariance.
   double nees = std::numeric_limits<double>::quiet_NaN();
+  // Root mean square of the error that the estimate's covariance claims, m; NaN as above.
+  double claimed_m = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Errors of a trajectory at the waypoints' times (clamped at its ends). `truth` is in the building

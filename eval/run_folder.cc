@@ -39,11 +39,11 @@ std::string ProcessorName() {
 
 }  // namespace
 
-void LogToRunFolder(const std::string& out) {
-  google::SetLogDestination(google::GLOG_INFO, (out + "/run/log.").c_str());
+void LogToRunFolder(const std::string& run) {
+  google::SetLogDestination(google::GLOG_INFO, (run + "/log.").c_str());
 }
 
-void WriteRunDescription(const std::string& out, const std::string& command_line, int workers) {
+void WriteRunDescription(const std::string& run, const std::string& command_line, int workers) {
   utsname system{};
   uname(&system);
   const double memory_gb = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
@@ -58,11 +58,11 @@ void WriteRunDescription(const std::string& out, const std::string& command_line
                                           {"memory_gb", memory_gb},
                                           {"workers", workers},
                                           {"compiler", __VERSION__}};
-  WriteFileWhole(out + "/run/machine.json", machine.dump(1) + "\n");
-  WriteFileWhole(out + "/run/command.txt", command_line + "\n");
+  WriteFileWhole(run + "/machine.json", machine.dump(1) + "\n");
+  WriteFileWhole(run + "/command.txt", command_line + "\n");
 }
 
-void WriteTimings(const std::string& out, const Evaluation& evaluation) {
+void WriteTimings(const std::string& run, const Evaluation& evaluation) {
   std::string text = "walk,method,seconds\n";
   for (const WalkOutcome& walk : evaluation.walks) {
     if (!walk.finished) continue;
@@ -71,7 +71,7 @@ void WriteTimings(const std::string& out, const Evaluation& evaluation) {
               FixedDecimals(walk.methods[i].seconds, 6) + "\n";
     }
   }
-  WriteFileWhole(out + "/run/timings.csv", text);
+  WriteFileWhole(run + "/timings.csv", text);
 }
 
 std::map<std::string, double> SecondsPerWalk(const Evaluation& evaluation) {

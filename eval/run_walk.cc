@@ -22,13 +22,6 @@ bool IsFinite(const PoseEstimate& pose) {
   return pose.position_m.allFinite() && std::isfinite(pose.heading_rad);
 }
 
-std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& walk) {
-  if (walk.truth.waypoints.empty()) return {};
-  const int floor = walk.evidence.floor.value_or(walk.truth.waypoints.front().floor);
-  const Eigen::Vector2d centroid = SurveyMean(site, floor).value_or(Eigen::Vector2d::Zero());
-  return ErrorsOfFixedPoint(centroid, floor, walk.truth);
-}
-
 // `evidence` is the walk's, aligned to the site.
 MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estimator& estimator,
                     const std::string& method, const LoadedWalk& walk, const Evidence& evidence) {
@@ -55,6 +48,13 @@ MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estim
 }
 
 }  // namespace
+
+std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& walk) {
+  if (walk.truth.waypoints.empty()) return {};
+  const int floor = walk.evidence.floor.value_or(walk.truth.waypoints.front().floor);
+  const Eigen::Vector2d centroid = SurveyMean(site, floor).value_or(Eigen::Vector2d::Zero());
+  return ErrorsOfFixedPoint(centroid, floor, walk.truth);
+}
 
 EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence) {
   EstimateResult result;

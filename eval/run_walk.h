@@ -26,6 +26,10 @@ WalkOutcome RunWalk(const WalkRunOptions& options, const Site& site,
                     const std::vector<std::unique_ptr<Estimator>>& estimators,
                     const LoadedWalk& walk, int fold);
 
+// By waypoint, the errors of an answer in the middle of the surveyed part of the floor: what a
+// missing output is scored as.
+std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& walk);
+
 // One method on one walk, whose readings are aligned to the site. An exception or a pose that is
 // not finite becomes status `diverged` without a trajectory.
 EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence);

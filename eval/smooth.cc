@@ -69,8 +69,8 @@ int SmoothRecordings(const SmoothOptions& options) {
   const Site site = ReadSiteFile(options.site);
   std::vector<LoadedWalk> walks = FindWalks(options.recordings);
   PrepareResultFolder(options.out);
-  LogToRunFolder(options.out);
-  WriteRunDescription(options.out, options.command_line, options.workers);
+  LogToRunFolder(options.out + "/run");
+  WriteRunDescription(options.out + "/run", options.command_line, options.workers);
 
   Evaluation evaluation;
   std::vector<std::unique_ptr<Estimator>> estimators;
@@ -97,7 +97,7 @@ int SmoothRecordings(const SmoothOptions& options) {
   }
   WriteFileWhole(options.out + "/scores.csv", FormatScoresCsv(evaluation));
   WriteFileWhole(options.out + "/building.json", FormatBuildingJson(site.building));
-  WriteTimings(options.out, evaluation);
+  WriteTimings(options.out + "/run", evaluation);
   const auto sections = SummariseEvaluation(evaluation, FloorNames(site.building));
   std::fputs(FormatSummary(sections, SecondsPerWalk(evaluation)).c_str(), stdout);
   if (options.stopped()) return kExitInterrupted;

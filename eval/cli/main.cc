@@ -18,7 +18,7 @@ namespace {
 
 std::vector<Verb> Verbs() {
   return {InspectVerb(),  SurveyVerb(),  CalibrateVerb(), SmoothVerb(),
-          EvaluateVerb(), HonestyVerb(), ReportVerb(),    SimulateVerb(),
+          EvaluateVerb(), AblateVerb(), HonestyVerb(), ReportVerb(),    SimulateVerb(),
           ConfigVerb(),   MethodsVerb(), VersionVerb()};
 }
 

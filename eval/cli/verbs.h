@@ -11,6 +11,7 @@ Verb SurveyVerb();
 Verb CalibrateVerb();
 Verb SmoothVerb();
 Verb EvaluateVerb();
+Verb AblateVerb();
 Verb HonestyVerb();
 Verb ReportVerb();
 Verb SimulateVerb();

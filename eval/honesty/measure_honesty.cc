@@ -117,12 +117,12 @@ HonestyResult MeasureRecorded(const HonestyOptions& options, const Dataset& trai
   for (const LoadedWalk* walk : walks) names.push_back(walk->file.id);
   HonestyResult result = EmptyResult(options, names);
   if (options.stopped()) return result;
-  const Fold fold =
-      PrepareFold(train.building, Pointers(training), walks, options.methods, options.overrides);
+  const Fold fold = PrepareFold(train.building, Pointers(training), walks, options.overrides);
+  const auto estimators = MakeEstimators(options.methods, fold.settings);
   Progress progress(static_cast<int>(walks.size()), "walks", options.out + "/run/progress");
   ParallelFor(options.workers, walks.size(), options.stopped, [&](std::size_t i) {
-    for (std::size_t m = 0; m < fold.estimators.size(); ++m) {
-      result.outcomes[m][i] = Measure(*fold.estimators[m], fold.site, walks[i]->evidence,
+    for (std::size_t m = 0; m < estimators.size(); ++m) {
+      result.outcomes[m][i] = Measure(*estimators[m], fold.site, walks[i]->evidence,
                                       walks[i]->truth, settings.scoring.waypoint_sigma_m);
     }
     progress.Done(names[i]);
@@ -134,8 +134,8 @@ HonestyResult MeasureRecorded(const HonestyOptions& options, const Dataset& trai
 HonestyResult Measure(const HonestyOptions& options) {
   const auto prepare = [&] {
     PrepareResultFolder(options.out);
-    LogToRunFolder(options.out);
-    WriteRunDescription(options.out, options.command_line, options.workers);
+    LogToRunFolder(options.out + "/run");
+    WriteRunDescription(options.out + "/run", options.command_line, options.workers);
   };
   if (options.test.empty()) {
     prepare();

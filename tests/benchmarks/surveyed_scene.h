@@ -41,7 +41,7 @@ inline SurveyedScene MakeScene(const Building& building, const std::vector<Loade
   for (const LoadedWalk& other : walks) {
     if (&other != &walk) training.push_back(&other);
   }
-  Fold fold = PrepareFold(building, training, {&walk}, {}, {});
+  Fold fold = PrepareFold(building, training, {&walk}, {});
   return {std::move(fold.site), fold.settings, walk};
 }
 
