@@ -45,23 +45,25 @@ FingerprintFactor::FingerprintFactor(const RadioMap* map, MapSweep sweep, const 
 
 bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
                                  double** jacobians) const {
+  const bool gradients = jacobians != nullptr;
   const FieldBasis basis = BasisAt(*map_, blocks[0], blocks[1]);
   const double root_weight = std::sqrt(sweep_.weight);
   double spread_nats = 0;
   Eigen::Vector2d spread_gradient = Eigen::Vector2d::Zero();
   int row = 0;
   for (const MapSweep::Reading& reading : sweep_.readings) {
-    const FieldValue field = map_->Evaluate(reading.field, basis);
-    const double information = std::exp(-field.log_sigma);  // 1/dB
-    const double whitened = (reading.rssi_dbm + blocks[2][0] - field.mean_dbm) * information;
+    const ScalarValue mean = map_->EvaluateMean(reading.field, basis, gradients);
+    const ScalarValue log_sigma = map_->EvaluateLogSigma(reading.field, basis, gradients);
+    const double information = std::exp(-log_sigma.value);  // 1/dB
+    const double whitened = (reading.rssi_dbm + blocks[2][0] - mean.value) * information;
     const RobustRow robust = ApplyLoss(loss_, whitened);
     residual[row] = root_weight * robust.value;
-    spread_nats += field.log_sigma - log_sigma_min_;
+    spread_nats += log_sigma.value - log_sigma_min_;
     if (jacobians != nullptr) {
       const double slope = root_weight * robust.slope;
-      spread_gradient += field.d_log_sigma;
+      spread_gradient += log_sigma.gradient;
       FillPositionRow(jacobians, row,
-                      -slope * (information * field.d_mean + whitened * field.d_log_sigma));
+                      -slope * (information * mean.gradient + whitened * log_sigma.gradient));
       if (jacobians[2] != nullptr) jacobians[2][row] = slope * information;
     }
     ++row;
@@ -81,13 +83,14 @@ double FingerprintFactor::LogNormaliser() const {
 
 bool HearingFactor::Evaluate(const double* const* blocks, double* residual,
                              double** jacobians) const {
+  const bool gradients = jacobians != nullptr;
   const FieldBasis basis = BasisAt(*map_, blocks[0], blocks[1]);
   Eigen::Vector2d gradient;
   double nats = map_->Silence(basis, &gradient);
   for (const MapSweep::Reading& reading : sweep_.readings) {
-    const FieldValue field = map_->Evaluate(reading.field, basis);
-    nats -= field.logit_hear;
-    gradient -= field.d_logit_hear;
+    const ScalarValue logit = map_->EvaluateLogitHear(reading.field, basis, gradients);
+    nats -= logit.value;
+    gradient -= logit.gradient;
   }
   const CostRow row(nats, weight());
   residual[0] = row.value;

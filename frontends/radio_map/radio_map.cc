@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace walkgraph {
 namespace {
@@ -59,52 +60,88 @@ int RadioMap::FindField(std::uint32_t transmitter) const {
 
 namespace {
 
-// Calls visit(k, index) for every control point of the basis inside the field's rectangle: k counts
-// the 16 of the basis, index those of the field.
-template <typename Visit>
-void ForControls(const RadioMap::TransmitterField& f, const FieldBasis& basis, Visit&& visit) {
+using Row = Eigen::Array4d;
+using RowMap = Eigen::Map<const Row>;
+
+// Products of control values with the weights and, for the gradient, their derivatives, summed over
+// the rows.
+struct RowSums {
+  Row value = Row::Zero(), d_dx = Row::Zero(), d_dy = Row::Zero();
+
+  template <bool kGradient>
+  void Add(const FieldBasis& basis, int r, const Row& deviation) {
+    value += RowMap(basis.weight.data() + std::ptrdiff_t{4} * r) * deviation;
+    if constexpr (kGradient) {
+      d_dx += RowMap(basis.d_dx.data() + std::ptrdiff_t{4} * r) * deviation;
+      d_dy += RowMap(basis.d_dy.data() + std::ptrdiff_t{4} * r) * deviation;
+    }
+  }
+};
+
+// Sums deviations from the background: the weights add up to one and their derivatives to zero, so
+// that a control point outside the field's rectangle adds nothing.
+template <bool kGradient>
+ScalarValue Interpolate(const RadioMap::TransmitterField& f, const std::vector<float>& values,
+                        float background, const FieldBasis& basis) {
   const int first_row = std::max(0, f.row - basis.row);
   const int last_row = std::min(4, f.row + f.rows - basis.row);
   const int first_column = std::max(0, f.column - basis.column);
   const int last_column = std::min(4, f.column + f.columns - basis.column);
+  if (first_column >= last_column) return {background, Eigen::Vector2d::Zero()};
+  RowSums sums;
   for (int r = first_row; r < last_row; ++r) {
-    const int line = (basis.row + r - f.row) * f.columns + basis.column - f.column;
-    for (int c = first_column; c < last_column; ++c) {
-      visit(static_cast<std::size_t>(4 * r + c), static_cast<std::size_t>(line + c));
+    const std::ptrdiff_t line =
+        static_cast<std::ptrdiff_t>(basis.row + r - f.row) * f.columns + basis.column - f.column;
+    Row deviation = Row::Zero();
+    if (last_column - first_column == 4) {
+      const Eigen::Map<const Eigen::Array4f> window(values.data() + line);
+      deviation = window.cast<double>() - background;
+    } else {
+      for (int c = first_column; c < last_column; ++c) {
+        deviation[c] = static_cast<double>(values[static_cast<std::size_t>(line + c)]) - background;
+      }
     }
+    sums.Add<kGradient>(basis, r, deviation);
   }
+  return {background + sums.value.sum(), {sums.d_dx.sum(), sums.d_dy.sum()}};
+}
+
+ScalarValue Interpolate(const RadioMap::TransmitterField& f, const std::vector<float>& values,
+                        float background, const FieldBasis& basis, bool gradient) {
+  return gradient ? Interpolate<true>(f, values, background, basis)
+                  : Interpolate<false>(f, values, background, basis);
 }
 
 }  // namespace
 
-// Both evaluate deviations from the background: the weights sum to one and their derivatives to
-// zero, so a control point outside the rectangle adds nothing.
-FieldValue RadioMap::Evaluate(int field, const FieldBasis& basis) const {
+ScalarValue RadioMap::EvaluateMean(int field, const FieldBasis& basis, bool gradient) const {
   const TransmitterField& f = fields[static_cast<std::size_t>(field)];
-  FieldValue value{f.background_mean_dbm, f.background_log_sigma, f.background_logit_hear};
-  ForControls(f, basis, [&](std::size_t k, std::size_t at) {
-    const double mean = f.mean_dbm[at] - f.background_mean_dbm;
-    const double log_sigma = f.log_sigma[at] - f.background_log_sigma;
-    const double logit = f.logit_hear[at] - f.background_logit_hear;
-    const Eigen::Vector2d slope(basis.d_dx[k], basis.d_dy[k]);
-    value.mean_dbm += basis.weight[k] * mean;
-    value.log_sigma += basis.weight[k] * log_sigma;
-    value.logit_hear += basis.weight[k] * logit;
-    value.d_mean += slope * mean;
-    value.d_log_sigma += slope * log_sigma;
-    value.d_logit_hear += slope * logit;
-  });
-  return value;
+  return Interpolate(f, f.mean_dbm, f.background_mean_dbm, basis, gradient);
+}
+
+ScalarValue RadioMap::EvaluateLogSigma(int field, const FieldBasis& basis, bool gradient) const {
+  const TransmitterField& f = fields[static_cast<std::size_t>(field)];
+  return Interpolate(f, f.log_sigma, f.background_log_sigma, basis, gradient);
+}
+
+ScalarValue RadioMap::EvaluateLogitHear(int field, const FieldBasis& basis, bool gradient) const {
+  const TransmitterField& f = fields[static_cast<std::size_t>(field)];
+  return Interpolate(f, f.logit_hear, f.background_logit_hear, basis, gradient);
+}
+
+FieldValue RadioMap::Evaluate(int field, const FieldBasis& basis) const {
+  const ScalarValue mean = EvaluateMean(field, basis);
+  const ScalarValue log_sigma = EvaluateLogSigma(field, basis);
+  const ScalarValue logit = EvaluateLogitHear(field, basis);
+  return {mean.value,         log_sigma.value, logit.value, mean.gradient, log_sigma.gradient,
+          logit.gradient};
 }
 
 FieldValue RadioMap::EvaluateValue(int field, const FieldBasis& basis) const {
-  const TransmitterField& f = fields[static_cast<std::size_t>(field)];
-  FieldValue value{f.background_mean_dbm, f.background_log_sigma, f.background_logit_hear};
-  ForControls(f, basis, [&](std::size_t k, std::size_t at) {
-    value.mean_dbm += basis.weight[k] * (f.mean_dbm[at] - f.background_mean_dbm);
-    value.log_sigma += basis.weight[k] * (f.log_sigma[at] - f.background_log_sigma);
-    value.logit_hear += basis.weight[k] * (f.logit_hear[at] - f.background_logit_hear);
-  });
+  FieldValue value;
+  value.mean_dbm = EvaluateMean(field, basis, false).value;
+  value.log_sigma = EvaluateLogSigma(field, basis, false).value;
+  value.logit_hear = EvaluateLogitHear(field, basis, false).value;
   return value;
 }
 

@@ -41,6 +41,12 @@ struct FieldValue {
   Eigen::Vector2d d_logit_hear = Eigen::Vector2d::Zero();
 };
 
+// One of its three numbers.
+struct ScalarValue {
+  double value = 0;
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  // per metre
+};
+
 // The smooth field of every transmitter of one radio on one floor.
 class RadioMap {
  public:
@@ -71,6 +77,11 @@ class RadioMap {
   // Index into `fields`, or -1 where the floor never heard the transmitter.
   int FindField(std::uint32_t transmitter) const;
   FieldValue Evaluate(int field, const FieldBasis& basis) const;
+  // The parts of it that a factor asks for, each at a third of the cost, and less without the
+  // gradient, which then is zero.
+  ScalarValue EvaluateMean(int field, const FieldBasis& basis, bool gradient = true) const;
+  ScalarValue EvaluateLogSigma(int field, const FieldBasis& basis, bool gradient = true) const;
+  ScalarValue EvaluateLogitHear(int field, const FieldBasis& basis, bool gradient = true) const;
   // The same without gradients, several times faster.
   FieldValue EvaluateValue(int field, const FieldBasis& basis) const;
   // Value and gradient (nats, nats/m) of silence_nats.

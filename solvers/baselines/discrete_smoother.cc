@@ -133,16 +133,16 @@ class Trellis {
   void Advance(const Transition& transition, const std::vector<float>& emission) {
     const Layer& from = layers_.back();
     Layer to;
+    limit_nats_ = LimitOf(from, transition, emission) + beam_nats_;
     for (int bin = 0; bin < bins_.size(); ++bin) {
       const double turn = bins_.offset_rad[static_cast<std::size_t>(bin)];
       const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
       PrepareMoves(rotation * transition.displacement_m, transition.variance_m2);
       for (std::size_t i = 0; i < from.size(); ++i) {
-        if (from[i].bin == bin) Spread(from, static_cast<std::int32_t>(i), &to);
+        if (from[i].bin == bin) Spread(from, static_cast<std::int32_t>(i), emission, &to);
       }
     }
     for (const State& state : to) slot_[Slot(state)] = -1;
-    for (State& state : to) state.nats += emission[static_cast<std::size_t>(state.cell)];
     // A walk that leaves the lattice stays where it was rather than losing every state.
     layers_.push_back(to.empty() ? Stay(from) : Prune(std::move(to)));
   }
@@ -191,16 +191,36 @@ class Trellis {
     }
   }
 
-  void Spread(const Layer& from, std::int32_t index, Layer* to) {
+  // What the best state reaches: the next layer's best is no worse, so that whatever lies a beam
+  // above it need not be kept at all. Infinite where that state has left the lattice.
+  float LimitOf(const Layer& from, const Transition& transition,
+                const std::vector<float>& emission) {
+    const auto best = std::min_element(
+        from.begin(), from.end(), [](const State& a, const State& b) { return a.nats < b.nats; });
+    const double turn = bins_.offset_rad[static_cast<std::size_t>(best->bin)];
+    PrepareMoves(Eigen::Rotation2Dd(turn) * transition.displacement_m, transition.variance_m2);
+    float limit = kInfinity;
+    for (const Move& move : moves_) {
+      const std::int32_t cell = lattice_.Neighbour(best->cell, move.columns, move.rows);
+      if (cell == Lattice::kNoCell) continue;
+      limit = std::min(limit, best->nats + move.nats + emission[static_cast<std::size_t>(cell)]);
+    }
+    return limit;
+  }
+
+  void Spread(const Layer& from, std::int32_t index, const std::vector<float>& emission,
+              Layer* to) {
     const State& state = from[static_cast<std::size_t>(index)];
     for (const Move& move : moves_) {
       const std::int32_t cell = lattice_.Neighbour(state.cell, move.columns, move.rows);
       if (cell == Lattice::kNoCell) continue;
+      const float nats = state.nats + move.nats + emission[static_cast<std::size_t>(cell)];
+      if (nats > limit_nats_) continue;
       for (int step = -1; step <= 1; ++step) {
         const int bin = bins_.size() == 1 ? (step == 0 ? 0 : -1) : bins_.Neighbour(state.bin, step);
         if (bin < 0) continue;
         const float change = step == 0 ? 0.0F : bins_.change_nats;
-        Relax({cell, bin, index, state.nats + move.nats + change}, to);
+        Relax({cell, bin, index, nats + change}, to);
       }
     }
   }
@@ -218,6 +238,7 @@ class Trellis {
   const Lattice& lattice_;
   const HeadingBins& bins_;
   float beam_nats_;
+  float limit_nats_ = 0;  // see LimitOf
   std::vector<std::int32_t> slot_;  // of each (bin, cell) in the layer under construction
   std::vector<Move> moves_;
   std::vector<Layer> layers_;
