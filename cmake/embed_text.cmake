@@ -11,6 +11,8 @@ endfunction()
 
 read_texts(html page.html)
 read_texts(css page.css)
+read_texts(study_html study.html)
+read_texts(study_js study.js)
 read_texts(js data.js scores.js plan.js main.js)
 file(WRITE ${OUTPUT} "#include \"eval/report/page.h\"
 
@@ -18,5 +20,7 @@ namespace walkgraph {
 std::string_view PageTemplate() { return R\"page(${html})page\"; }
 std::string_view PageStyle() { return R\"page(${css})page\"; }
 std::string_view PageScript() { return R\"page(${js})page\"; }
+std::string_view StudyTemplate() { return R\"page(${study_html})page\"; }
+std::string_view StudyScript() { return R\"page(${study_js})page\"; }
 }  // namespace walkgraph
 ")

@@ -130,10 +130,15 @@ std::string FormatWalkJson(const WalkOutcome& outcome, const std::vector<std::st
   json["methods"] = Json::object();
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const MethodOutcome& method = outcome.methods[i];
-    Json errors = Json::array();
-    for (const WaypointError& error : method.errors) errors.push_back(error.error_m);
-    json["methods"][methods[i]] = {
-        {"status", StatusName(method.status)}, {"messages", method.messages}, {"errors_m", errors}};
+    Json errors = Json::array(), nees = Json::array();
+    for (const WaypointError& error : method.errors) {
+      errors.push_back(error.error_m);
+      nees.push_back(error.nees);  // null where there is no covariance
+    }
+    json["methods"][methods[i]] = {{"status", StatusName(method.status)},
+                                   {"messages", method.messages},
+                                   {"errors_m", errors},
+                                   {"nees", nees}};
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -26,7 +26,8 @@ std::string FormatStatesCsv(const std::vector<SlowStateEstimate>& states);
 std::string FormatScoresCsv(const Evaluation& evaluation);
 
 // What a plot of one walk needs: {"walk", "fold", "survey_distance_m", "waypoints": [{"time_ns",
-// "x_m", "y_m", "floor"}], "methods": {name: {"status", "messages", "errors_m": [by waypoint]}}}.
+// "x_m", "y_m", "floor"}], "methods": {name: {"status", "messages", "errors_m": [by waypoint],
+// "nees": [likewise]}}}.
 std::string FormatWalkJson(const WalkOutcome& outcome, const std::vector<std::string>& methods);
 
 // What a plot of the building needs: {"name", "floors": [{"number", "name", "height_m",

@@ -9,6 +9,8 @@ namespace walkgraph {
 std::string_view PageTemplate();  // HTML with the markers @STYLE@, @DATA@ and @SCRIPT@, each once
 std::string_view PageStyle();     // CSS
 std::string_view PageScript();    // JavaScript, all files in order
+std::string_view StudyTemplate();  // HTML with the markers @STYLE@, @BODY@ and @SCRIPT@, each once
+std::string_view StudyScript();    // JavaScript of that page
 
 }  // namespace walkgraph
 

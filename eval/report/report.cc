@@ -1,11 +1,18 @@
 #include "eval/report/report.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "eval/bootstrap.h"
 #include "eval/files.h"
+#include "eval/report/figures/figures.h"
 #include "eval/report/page.h"
+#include "eval/report/page_text.h"
 #include "eval/report/result_folder.h"
+#include "eval/usage_error.h"
 
 namespace walkgraph {
 namespace {
@@ -24,32 +31,98 @@ std::string EscapeForScript(const std::string& json) {
   return text;
 }
 
-// The template with each marker replaced; what is put in is not searched for markers again.
-std::string FillPage(std::string_view style, std::string_view data, std::string_view script) {
-  const std::string_view page = PageTemplate();
-  std::string text;
-  std::size_t from = 0;
-  const auto put = [&](std::string_view marker, std::string_view content) {
-    const std::size_t at = page.find(marker, from);
-    text += page.substr(from, at - from);
-    text += content;
-    from = at + marker.size();
-  };
-  put("@STYLE@", style);
-  put("@DATA@", data);
-  put("@SCRIPT@", script);
-  text += page.substr(from);
-  return text;
+// Numbers of two versions, or of other recordings, do not belong into one table. A folder of
+// `smooth` has no summary and nothing to compare.
+void RequireSameInputs(const nlohmann::ordered_json& first, const nlohmann::ordered_json& other) {
+  if (first.at("summary").is_null() || other.at("summary").is_null()) return;
+  for (const char* key : {"version", "checksums"}) {
+    const auto &a = first.at("summary").at(key), &b = other.at("summary").at(key);
+    if (a == b) continue;
+    const auto names = first.at("name").get<std::string>() + " and " +
+                       other.at("name").get<std::string>();
+    const std::string what = a.is_string() ? "versions " + a.get<std::string>() + " and " +
+                                                 b.get<std::string>()
+                                           : "different recordings, as their checksums say";
+    throw UsageError(names + " hold results of " + what +
+                     "; expected the same, or --allow_differences");
+  }
+}
+
+std::vector<double> NumbersOf(const nlohmann::ordered_json& list) {
+  std::vector<double> numbers;
+  for (const auto& item : list) numbers.push_back(item.is_null() ? NAN : item.get<double>());
+  return numbers;
+}
+
+FigureSeries SeriesOf(const nlohmann::ordered_json& run, const std::string& method) {
+  FigureSeries series;
+  series.name = method;
+  std::vector<WalkTotal> totals;
+  for (const auto& walk : run.at("walks")) {
+    const auto entry = walk.at("methods").find(method);
+    if (entry == walk.at("methods").end() || entry->at("errors_m").empty()) continue;
+    const std::vector<double> errors = NumbersOf(entry->at("errors_m"));
+    const std::vector<double> nees = NumbersOf(entry->value("nees", nlohmann::ordered_json()));
+    WalkTotal total{0, static_cast<int>(errors.size())};
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      WaypointError error;
+      error.error_m = errors[i];
+      if (i < nees.size()) error.nees = nees[i];
+      total.sum += errors[i];
+      series.errors.push_back(error);
+    }
+    totals.push_back(total);
+  }
+  series.walks = static_cast<int>(totals.size());
+  series.mean_m = PooledMean(totals);
+  series.mean_interval_m = BootstrapMean(totals);
+  const auto seconds = run.at("seconds").find(method);
+  if (seconds != run.at("seconds").end()) series.seconds_per_walk = seconds->get<double>();
+  return series;
+}
+
+// Each method on the walks on which it has errors; the titles count them.
+std::vector<Figure> RunFigures(const nlohmann::ordered_json& run) {
+  std::vector<FigureSeries> series;
+  for (const auto& method : run.at("methods")) {
+    series.push_back(SeriesOf(run, method.get<std::string>()));
+    if (series.back().errors.empty()) series.pop_back();
+  }
+  if (series.empty()) return {};
+  std::vector<Figure> figures = {BoxFigure(series), MeansFigure(series)};
+  const auto any = [&](auto&& has) { return std::any_of(series.begin(), series.end(), has); };
+  if (any([](const FigureSeries& s) { return !std::isnan(s.errors.front().nees); })) {
+    figures.push_back(CalibrationFigure(series));
+  }
+  if (any([](const FigureSeries& s) { return s.seconds_per_walk > 0; })) {
+    figures.push_back(TimeFigure(series));
+  }
+  return figures;
 }
 
 }  // namespace
 
-void WriteReport(const std::vector<std::string>& result_dirs, const std::string& out_file) {
+void WriteReport(const std::vector<std::string>& result_dirs, const std::string& out_file,
+                 bool allow_differences) {
   nlohmann::ordered_json data = {{"runs", nlohmann::ordered_json::array()}};
-  for (const std::string& dir : result_dirs) data["runs"].push_back(ReadResultFolder(dir));
+  for (const std::string& dir : result_dirs) {
+    data["runs"].push_back(ReadResultFolder(dir));
+    if (!allow_differences) RequireSameInputs(data["runs"].front(), data["runs"].back());
+  }
+  const std::string beside = std::filesystem::path(out_file).replace_extension("").string();
+  for (auto& run : data["runs"]) {
+    run["figures"] = nlohmann::ordered_json::array();
+    const std::string prefix = beside + "/figures/" + run.at("name").get<std::string>() + "_";
+    for (const Figure& figure : RunFigures(run)) {
+      run["figures"].push_back(figure.svg);
+      WriteFileWhole(prefix + figure.name + ".svg", StandaloneSvg(figure.svg));
+    }
+  }
   const std::string json =
       data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  WriteFileWhole(out_file, FillPage(PageStyle(), EscapeForScript(json), PageScript()));
+  WriteFileWhole(out_file, FillTemplate(PageTemplate(), {{"@STYLE@", PageStyle()},
+                                                         {"@DATA@", EscapeForScript(json)},
+                                                         {"@SCRIPT@", PageScript()}}));
 }
 
 }  // namespace walkgraph

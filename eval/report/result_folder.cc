@@ -211,6 +211,23 @@ Json ReadBuilding(const fs::path& dir) {
   return building;
 }
 
+// Mean wall time per walk by method, from run/timings.csv; none where that is missing.
+Json ReadSeconds(const fs::path& dir) {
+  std::map<std::string, std::pair<double, int>> sums;
+  const std::string text = ReadIfThere(dir / "run" / "timings.csv").value_or("");
+  for (const std::string_view line : Split(text, '\n')) {
+    const std::vector<std::string_view> fields = Split(line, ',');
+    double seconds = 0;
+    if (fields.size() != 3 || !ParseWhole(fields[2], seconds)) continue;
+    auto& [sum, n] = sums[std::string(fields[1])];
+    sum += seconds;
+    ++n;
+  }
+  Json json = Json::object();
+  for (const auto& [method, total] : sums) json[method] = total.first / total.second;
+  return json;
+}
+
 Json MethodNames(const Json& walks) {
   Json names = Json::array();
   std::set<std::string> seen;
@@ -233,6 +250,7 @@ Json ReadResultFolder(const std::string& dir) {
     const std::optional<std::string> summary = ReadIfThere(folder / "summary.json");
     if (summary) json["summary"] = ParseJson(folder / "summary.json", *summary);
     Json walks = ReadWalks(folder);
+    json["seconds"] = ReadSeconds(folder);
     json["methods"] = MethodNames(walks);
     json["walks"] = std::move(walks);
     return json;

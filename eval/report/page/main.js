@@ -118,6 +118,17 @@ function drawLayers() {
       layerBox('ellipses', '95 % ellipses', true));
 }
 
+// Drawn by walkgraph itself, as in the files beside the page.
+function drawFigures() {
+  const {figures} = state.run;
+  byId('figures').hidden = figures.length === 0;
+  byId('figure-list').replaceChildren(...figures.map((svg) => {
+    const figure = element('figure', {class: 'plot'});
+    figure.innerHTML = svg;
+    return figure;
+  }));
+}
+
 function openRun(index) {
   state.run = data.runs[index];
   byId('run-name').textContent = `${state.run.building.name} – ${state.run.walks.length} walks`;
@@ -127,6 +138,7 @@ function openRun(index) {
     fillSelect(byId('selection'), names.map((name) => [name, name.replace('_', ' ')]), names[0]);
     drawSection();
   }
+  drawFigures();
   byId('walks').hidden = state.run.walks.length === 0;
   fillSelect(byId('walk'), state.run.walks.map((walk, i) => [String(i), walk.walk]), '0');
   drawLayers();
