@@ -20,7 +20,7 @@ std::string RestsOn(const std::vector<FigureSeries>& series) {
     walks = std::max(walks, s.walks);
   }
   const std::string waypoints = n == 0 ? "" : ", " + std::to_string(n) + " waypoints";
-  return " (" + std::to_string(walks) + " walks" + waypoints + ")";
+  return " (" + std::to_string(walks) + (walks == 1 ? " walk" : " walks") + waypoints + ")";
 }
 
 std::vector<double> SortedErrors(const FigureSeries& series) {
@@ -108,7 +108,7 @@ Figure BoxFigure(const std::vector<FigureSeries>& series) {
 
 Figure CalibrationFigure(const std::vector<FigureSeries>& series) {
   constexpr int kPoints = 40;
-  Plot plot("Waypoints inside the ellipse of a probability" + RestsOn(series), kHeight, kHeight);
+  Plot plot("Waypoints inside the ellipse of a probability" + RestsOn(series), 460, kHeight);
   plot.DrawAxes({"probability claimed", 0, 1, false}, {"share found inside", 0, 1, false});
   plot.Segment({0, 0}, {1, 1}, "currentColor", 1);
   std::vector<FigureSeries> shown;
@@ -158,7 +158,7 @@ Figure MeansFigure(const std::vector<FigureSeries>& series) {
 }
 
 Figure BarsFigure(const std::string& name, const std::string& title, const std::string& axis,
-                  const std::vector<FigureBar>& bars) {
+                  const std::vector<FigureBar>& bars, const std::string& heading) {
   double low = 0, high = 0;
   std::vector<std::string> names;
   for (const FigureBar& bar : bars) {
@@ -171,6 +171,7 @@ Figure BarsFigure(const std::string& name, const std::string& title, const std::
   }
   Plot plot(title, kWidth - 120, RowsHeight(bars.size()), kRowLabels);
   const double margin = high > low ? 0.03 * (high - low) : 1.0;
+  if (!heading.empty()) plot.Heading(heading);
   plot.DrawRows({axis, low - (low < 0 ? margin : 0), high + margin, false}, names);
   const double last = static_cast<double>(bars.size()) - 0.5;
   plot.Segment({0, -0.5}, {0, last}, "currentColor", 1);

@@ -47,7 +47,7 @@ struct FigureBar {
   Interval interval;
 };
 Figure BarsFigure(const std::string& name, const std::string& title, const std::string& axis,
-                  const std::vector<FigureBar>& bars);
+                  const std::vector<FigureBar>& bars, const std::string& heading = "");
 
 // Mean error against a setting's values.
 struct FigureCurve {

@@ -11,7 +11,7 @@
 namespace walkgraph {
 namespace {
 
-constexpr int kTop = 34, kBottom = 44, kRight = 24, kLegendRow = 16, kTickLength = 4;
+constexpr int kTop = 50, kBottom = 44, kRight = 24, kLegendRow = 16, kTickLength = 4;
 constexpr double kMarkerRadius = 4;
 
 std::string Px(double value) { return FixedDecimals(value, 1); }
@@ -115,8 +115,10 @@ void Plot::DrawAxes(const Axis& x, const Axis& y) {
     body_.append(Px(at)).append("H").append(Px(left_ + width_)).append("\"/>\n");
     Text(left_ - 7, at + 4, "end", TickText(tick));
   }
-  Text(6, kTop - 8, "start", y_.label);
+  Heading(y_.label);
 }
+
+void Plot::Heading(const std::string& text) { Text(6, kTop - 8, "start", text); }
 
 void Plot::DrawRows(const Axis& x, const std::vector<std::string>& rows) {
   x_ = x;

@@ -42,6 +42,8 @@ class Plot {
   void DrawAxes(const Axis& x, const Axis& y);
   // Only the x axis; y counts rows from the top, whose names stand on the left.
   void DrawRows(const Axis& x, const std::vector<std::string>& rows);
+  // A line between the title and the area.
+  void Heading(const std::string& text);
 
   void Line(const std::vector<Eigen::Vector2d>& points, const SeriesStyle& style);
   void Segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std::string& colour,

@@ -13,7 +13,8 @@ constexpr std::size_t kMostSeries = 20;
 
 std::vector<std::size_t> CellsToDraw(const StudyRecord& record) {
   std::vector<std::size_t> order;
-  std::set<std::size_t> taken;
+  std::set<std::size_t> taken, subsets;
+  for (const auto& [subset, cell] : record.cell_of_subset) subsets.insert(cell);
   const auto take = [&](std::size_t cell) {
     if (order.size() < kMostSeries && taken.insert(cell).second) order.push_back(cell);
   };
@@ -25,7 +26,10 @@ std::vector<std::size_t> CellsToDraw(const StudyRecord& record) {
       if (static_cast<std::size_t>(std::popcount(subset)) + 1 == record.factors.size()) take(cell);
     }
   }
-  for (std::size_t c = 0; c < record.cells.size(); ++c) take(c);
+  const bool small = record.cells.size() <= kMostSeries;
+  for (std::size_t c = 0; c < record.cells.size(); ++c) {
+    if (small || !subsets.contains(c)) take(c);
+  }
   return order;
 }
 
@@ -45,6 +49,35 @@ FigureSeries SeriesOf(const StudyRecord& record, const DatasetResults& results,
   const auto found = seconds.find(series.name);
   if (found != seconds.end()) series.seconds_per_walk = found->second;
   return series;
+}
+
+// A row per subset, best first: a full dot for each factor that it has, in the order of the axis
+// label, and its mean error. Subsets that never know a position are all the same row.
+Figure AblationFigure(const StudyRecord& record, const DatasetStatistics& statistics) {
+  std::vector<FigureBar> bars;
+  int unobservable = 0;
+  for (const auto& [subset, cell] : record.cell_of_subset) {
+    const CellStatistics& all = statistics.sections.front().cells[cell];
+    const bool placed = statistics.status[cell].contains("ok");
+    if (!placed && unobservable++ > 0) continue;
+    FigureBar bar{"no position known", all.errors.mean_m, all.mean_interval_m};
+    if (placed) {
+      bar.name.clear();
+      for (std::size_t f = 0; f < record.factors.size(); ++f) {
+        bar.name += (subset >> f & 1) != 0 ? "\u25cf " : "\u25cb ";
+      }
+    }
+    bars.push_back(bar);
+  }
+  std::stable_sort(bars.begin(), bars.end(),
+                   [](const FigureBar& a, const FigureBar& b) { return a.value < b.value; });
+  std::string factors;
+  for (const std::string& factor : record.factors) factors += (factors.empty() ? "" : ", ") + factor;
+  const int walks = statistics.sections.front().cells.front().walks;
+  return BarsFigure("ablation",
+                    "Mean error with 95 % interval by subset (" + std::to_string(walks) +
+                        " walks, " + std::to_string(unobservable) + " subsets know no position)",
+                    "mean error, m", bars, "dots, from the left: " + factors);
 }
 
 Figure ContributionsFigure(const DatasetStatistics& statistics) {
@@ -109,17 +142,22 @@ std::vector<Figure> CurveFigures(const StudyRecord& record, const DatasetStatist
 std::vector<Figure> StudyFigures(const StudyRecord& record, const DatasetResults& results,
                                  const DatasetStatistics& statistics,
                                  const std::map<std::string, double>& seconds) {
-  std::vector<FigureSeries> drawn, all;
+  std::vector<FigureSeries> drawn, others;
+  std::set<std::size_t> subsets;
+  for (const auto& [subset, cell] : record.cell_of_subset) subsets.insert(cell);
   for (const std::size_t c : CellsToDraw(record)) {
     drawn.push_back(SeriesOf(record, results, statistics, seconds, c));
   }
   for (std::size_t c = 0; c < record.cells.size(); ++c) {
+    if (subsets.contains(c)) continue;
     const CellStatistics& cell = statistics.sections.front().cells[c];
-    all.push_back({record.cells[c].name, cell.walks, {}, cell.errors.mean_m,
+    others.push_back({record.cells[c].name, cell.walks, {}, cell.errors.mean_m,
                    cell.mean_interval_m, std::numeric_limits<double>::quiet_NaN()});
   }
-  std::vector<Figure> figures = {MeansFigure(all)};
+  std::vector<Figure> figures;
+  if (!record.cell_of_subset.empty()) figures.push_back(AblationFigure(record, statistics));
   if (!statistics.contributions.empty()) figures.push_back(ContributionsFigure(statistics));
+  if (record.cell_of_subset.size() < record.cells.size()) figures.push_back(MeansFigure(others));
   figures.push_back(ErrorDistributionFigure(drawn));
   figures.push_back(BoxFigure(drawn));
   figures.push_back(CalibrationFigure(drawn));
