@@ -163,9 +163,39 @@ std::string FormatBuildingJson(const Building& building) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void WriteEstimate(const std::string& out, const std::string& walk, const std::string& method,
-                   const EstimateResult& result, bool tum) {
+std::string FormatExplanation(const EstimateResult& result, const Evidence& evidence) {
+  Json json = {{"factors", Json::array()},
+               {"residuals", Json::object()},
+               {"hypotheses", Json::array()},
+               {"readings_ns", Json::array()}};
+  for (const FactorStatistics& s : result.factor_statistics) {
+    json["factors"].push_back({{"factor", s.factor},
+                               {"count", s.count},
+                               {"mean_squared_whitened", s.mean_squared_whitened},
+                               {"downweighted", s.downweighted}});
+  }
+  for (const FactorResidual& r : result.residuals) {
+    json["residuals"][r.factor].push_back(
+        Json::array({r.time_ns, r.mean_squared_whitened, r.count, r.downweighted}));
+  }
+  for (const Hypothesis& h : result.hypotheses) {
+    json["hypotheses"].push_back({{"source", h.source},
+                                  {"negative_log_posterior", h.negative_log_posterior},
+                                  {"kept", h.kept}});
+  }
+  for (const RadioReading& reading : evidence.readings) {
+    Json& times = json["readings_ns"];
+    if (times.empty() || times.back() != reading.heard_ns) times.push_back(reading.heard_ns);
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void WriteEstimate(const std::string& out, const std::string& walk, const Evidence& evidence,
+                   const std::string& method, const EstimateResult& result, bool tum) {
   const std::string name = walk + "." + method;
+  if (!result.residuals.empty()) {
+    WriteFileWhole(out + "/explain/" + name + ".json", FormatExplanation(result, evidence));
+  }
   if (!result.trajectory.empty()) {
     WriteFileWhole(out + "/trajectories/" + name + ".csv", FormatTrajectoryCsv(result.trajectory));
     if (tum) {

@@ -7,6 +7,7 @@
 #include "data/building.h"
 #include "data/trajectory.h"
 #include "eval/outcome.h"
+#include "frontends/evidence/evidence.h"
 #include "solvers/estimator.h"
 
 namespace walkgraph {
@@ -22,6 +23,12 @@ std::string FormatTrajectoryTum(const Trajectory& trajectory);
 // state,time_ns,value,sigma: a row per slow state and knot.
 std::string FormatStatesCsv(const std::vector<SlowStateEstimate>& states);
 
+// What an explanation of one estimate needs: {"factors": [{"factor", "count",
+// "mean_squared_whitened", "downweighted"}], "residuals": {factor: [[time_ns, mean squared whitened,
+// measurements, downweighted]]}, "hypotheses": [{"source", "negative_log_posterior", "kept"}],
+// "readings_ns": [times at which transmitters were heard, each once]}.
+std::string FormatExplanation(const EstimateResult& result, const Evidence& evidence);
+
 // A row per walk and method in the order of the evaluation; unfinished walks are left out.
 std::string FormatScoresCsv(const Evaluation& evaluation);
 
@@ -35,10 +42,10 @@ std::string FormatWalkJson(const WalkOutcome& outcome, const std::vector<std::st
 // "max_corner_m"}}]}; polygons are lists of rings of [x, y].
 std::string FormatBuildingJson(const Building& building);
 
-// Writes trajectories/<walk>.<method>.csv (and .tum) and states/<walk>.<method>.csv under `out`.
-// What is empty gets no file.
-void WriteEstimate(const std::string& out, const std::string& walk, const std::string& method,
-                   const EstimateResult& result, bool tum);
+// Writes trajectories/<walk>.<method>.csv (and .tum), states/<walk>.<method>.csv and, for a graph,
+// explain/<walk>.<method>.json under `out`. What is empty gets no file.
+void WriteEstimate(const std::string& out, const std::string& walk, const Evidence& evidence,
+                   const std::string& method, const EstimateResult& result, bool tum);
 
 }  // namespace walkgraph
 

@@ -40,7 +40,7 @@ MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estim
   if (outcome.has_trajectory) {
     outcome.errors = ErrorsAtWaypoints(result.trajectory, walk.truth, options.waypoint_sigma_m);
   }
-  WriteEstimate(options.out, walk.file.id, method, result, options.tum);
+  WriteEstimate(options.out, walk.file.id, evidence, method, result, options.tum);
   for (const std::string& message : result.messages) {
     LOG(INFO) << walk.file.id << " " << method << ": " << message;
   }

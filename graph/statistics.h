@@ -18,6 +18,19 @@ struct ResidualStatistics {
   std::int64_t downweighted = 0;     // measurements whose robust weight fell under 1/2
 };
 
+// How well one factor fits: a scan's readings together, or a single measurement.
+struct FactorFit {
+  std::string type;
+  TimeNs time_ns = 0;                // when its evidence arrived
+  int count = 0;                     // measurements
+  int dimension = 0;                 // of each
+  double mean_squared_whitened = 0;  // per dimension
+  int downweighted = 0;              // measurements whose robust weight fell under 1/2
+};
+
+// In the graph's order, at its values. Factors without whitened rows (hearing) are left out.
+std::vector<FactorFit> ComputeFits(const FactorGraph& graph);
+
 // By type, in alphabetical order, at the graph's values. Factors without whitened rows (hearing)
 // are left out.
 std::vector<ResidualStatistics> ComputeStatistics(const FactorGraph& graph);

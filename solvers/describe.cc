@@ -53,6 +53,10 @@ EstimateResult Describe(WalkGraph& walk, const std::vector<Mode>& modes, double 
     result.factor_statistics.push_back(
         {s.type, s.count, s.dimension, s.mean_squared_whitened, s.downweighted});
   }
+  for (const FactorFit& fit : ComputeFits(walk.graph)) {
+    result.residuals.push_back(
+        {fit.type, fit.time_ns, fit.count, fit.mean_squared_whitened, fit.downweighted});
+  }
   if (!walk.first_absolute_position_ns) {
     result.status = EstimateStatus::kUnobservable;
     result.messages = DescribeUnobservable(walk);

@@ -44,6 +44,15 @@ struct FactorStatistics {
   std::int64_t downweighted = 0;     // factors whose robust weight fell under 1/2
 };
 
+// How well one factor agreed with the solution: a scan's readings together.
+struct FactorResidual {
+  std::string factor;
+  TimeNs time_ns = 0;
+  int count = 0;                     // measurements
+  double mean_squared_whitened = 0;  // per dimension
+  int downweighted = 0;              // measurements whose robust weight fell under 1/2
+};
+
 // A competing explanation of the walk.
 struct Hypothesis {
   std::string source;                   // "viterbi", "dead_reckoning 3"
@@ -57,7 +66,8 @@ struct EstimateResult {
   Trajectory trajectory;
   std::vector<SlowStateEstimate> slow_states;
   std::vector<FactorStatistics> factor_statistics;
-  std::vector<Hypothesis> hypotheses;  // best first
+  std::vector<FactorResidual> residuals;  // of the best hypothesis, in the graph's order
+  std::vector<Hypothesis> hypotheses;     // best first
   std::vector<std::string> messages;
 };
 

@@ -8,10 +8,12 @@
 
 #include "eval/bootstrap.h"
 #include "eval/files.h"
+#include "eval/report/explain.h"
 #include "eval/report/figures/figures.h"
 #include "eval/report/page.h"
 #include "eval/report/page_text.h"
 #include "eval/report/result_folder.h"
+#include "eval/suggest.h"
 #include "eval/usage_error.h"
 
 namespace walkgraph {
@@ -100,6 +102,14 @@ std::vector<Figure> RunFigures(const nlohmann::ordered_json& run) {
   return figures;
 }
 
+void WritePage(const nlohmann::ordered_json& data, const std::string& out_file) {
+  const std::string json =
+      data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  WriteFileWhole(out_file, FillTemplate(PageTemplate(), {{"@STYLE@", PageStyle()},
+                                                         {"@DATA@", EscapeForScript(json)},
+                                                         {"@SCRIPT@", PageScript()}}));
+}
+
 }  // namespace
 
 void WriteReport(const std::vector<std::string>& result_dirs, const std::string& out_file,
@@ -118,11 +128,29 @@ void WriteReport(const std::vector<std::string>& result_dirs, const std::string&
       WriteFileWhole(prefix + figure.name + ".svg", StandaloneSvg(figure.svg));
     }
   }
-  const std::string json =
-      data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  WriteFileWhole(out_file, FillTemplate(PageTemplate(), {{"@STYLE@", PageStyle()},
-                                                         {"@DATA@", EscapeForScript(json)},
-                                                         {"@SCRIPT@", PageScript()}}));
+  WritePage(data, out_file);
+}
+
+void WriteWalkReport(const std::string& result_dir, const std::string& walk,
+                     const std::string& out_file) {
+  nlohmann::ordered_json run = ReadResultFolder(result_dir);
+  std::vector<std::string> names;
+  nlohmann::ordered_json found;
+  for (const auto& candidate : run.at("walks")) {
+    names.push_back(candidate.at("walk").get<std::string>());
+    if (names.back() == walk) found = candidate;
+  }
+  if (found.is_null()) {
+    throw UsageError("--walk=" + walk + ": no such walk in " + result_dir +
+                     DidYouMean(walk, names));
+  }
+  const Explanation explanation = ExplainWalk(result_dir, found);
+  run["walks"] = nlohmann::ordered_json::array({found});
+  run["summary"] = nullptr;  // of all walks, which are not here
+  run["notes"] = explanation.notes;
+  run["figures"] = nlohmann::ordered_json::array();
+  for (const Figure& figure : explanation.figures) run["figures"].push_back(figure.svg);
+  WritePage({{"runs", nlohmann::ordered_json::array({run})}}, out_file);
 }
 
 }  // namespace walkgraph

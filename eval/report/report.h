@@ -16,6 +16,11 @@ namespace walkgraph {
 void WriteReport(const std::vector<std::string>& result_dirs, const std::string& out_file,
                  bool allow_differences = false);
 
+// The same for one walk of one folder: why it came out as it did (see ExplainWalk). Throws
+// UsageError where the folder has no such walk.
+void WriteWalkReport(const std::string& result_dir, const std::string& walk,
+                     const std::string& out_file);
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_EVAL_REPORT_REPORT_H_

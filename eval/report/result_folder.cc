@@ -136,6 +136,7 @@ std::int64_t BeginNs(const Json& description, const Tracks& tracks) {
 Json WalkJson(const std::string& id, const Json& description, const Tracks& tracks) {
   const std::int64_t begin_ns = BeginNs(description, tracks);
   Json json = {{"walk", id},
+               {"begin_ns", begin_ns},
                {"survey_distance_m", nullptr},
                {"waypoints", Json::array()},
                {"methods", Json::object()}};

@@ -100,6 +100,35 @@ TEST(Page, OfAStudySortsAndTurnsDark) {
   EXPECT_THAT(visit.console, Not(HasSubstr("CONSOLE")));
 }
 
+TEST(Page, OfOneWalkExplainsItAndFollowsTheSlider) {
+  if (!HasBrowser()) GTEST_SKIP() << "no chromium";
+  const std::string out = FreshPath("out"), page = FreshPath("page.html");
+  ASSERT_EQ(RunWalkgraph({"evaluate", "--train=" + kSurvey, "--test=" + kTest, "--out=" + out,
+                          "--methods=wknn,batch"})
+                .exit_code,
+            0);
+  const ProgramResult misspelt =
+      RunWalkgraph({"report", out, "--walk=walk_00", "--out=" + page});
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_THAT(misspelt.output, HasSubstr("did you mean \"walk_01\"?"));
+  ASSERT_EQ(RunWalkgraph({"report", out, "--walk=walk_02", "--out=" + page}).exit_code, 0);
+  const Visit visit = Open(page, R"js(
+    const moments = () => [...document.querySelectorAll('svg[data-time] .moment')]
+        .map((path) => path.getAttribute('d')).join();
+    const begin = moments();
+    const time = document.getElementById('time');
+    time.value = Number(time.max) / 2;
+    time.dispatchEvent(new Event('input'));
+    const notes = document.getElementById('notes').textContent;
+    document.body.dataset.seen = `moved ${begin !== '' && moments() !== begin}; ` +
+        `walks ${document.querySelectorAll('#walk option').length}; ` +
+        `fit ${/batch: fingerprint, \d+ measurements/.test(notes)}; ` +
+        `answer ${/batch: hypothesis from .*, the answer/.test(notes)}`;
+  )js");
+  EXPECT_THAT(visit.document, HasSubstr("moved true; walks 1; fit true; answer true"));
+  EXPECT_THAT(visit.console, Not(HasSubstr("CONSOLE")));
+}
+
 TEST(Page, RunsOfDifferentInputsAreRefusedByName) {
   const std::string one = FreshPath("one"), other = FreshPath("other"), page = FreshPath("p.html");
   ASSERT_EQ(RunWalkgraph({"evaluate", "--train=" + kSurvey, "--test=" + kTest, "--out=" + one,

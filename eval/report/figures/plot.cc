@@ -206,6 +206,12 @@ std::string Plot::Svg() const {
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\"";
   svg.append(Attribute("width", w)).append(Attribute("height", h));
   svg.append(Attribute("viewBox", "0 0 " + w + " " + h));
+  if (time_) {
+    // Begin and end of the axis in its unit, then the area in pixels.
+    svg.append(Attribute("data-time", TickText(x_.low) + " " + TickText(x_.high) + " " +
+                                          Px(left_) + " " + Px(width_) + " " + Px(kTop) + " " +
+                                          Px(height_)));
+  }
   svg.append(" font-family=\"sans-serif\" font-size=\"12\" fill=\"currentColor\">\n");
   svg.append("<title>").append(EscapeXml(title_)).append("</title>\n");
   svg.append("<style>.grid{stroke:currentColor;stroke-opacity:.18;fill:none}</style>\n");

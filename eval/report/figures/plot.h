@@ -54,6 +54,9 @@ class Plot {
   void Label(const Eigen::Vector2d& at, const std::string& text);
   void Legend(const std::vector<std::string>& names);
 
+  // The x axis is the walk's time: the page may mark a moment on it.
+  void MarkAsTime() { time_ = true; }
+
   std::string Svg() const;
 
  private:
@@ -65,6 +68,7 @@ class Plot {
   int width_, height_, left_;
   Axis x_, y_;
   int legend_rows_ = 0;
+  bool time_ = false;
   std::string body_;
 };
 

@@ -41,7 +41,19 @@ function setTime(time) {
   if (tracks.length > 0 && tracks[0].t.length > 0) {
     byId('floor').value = String(tracks[0].floor[poseAt(tracks[0], time)]);
   }
+  markTime(time);
   redrawPlan();
+}
+
+// The moment that the slider shows, on every figure over time.
+function markTime(time) {
+  for (const svg of document.querySelectorAll('svg[data-time]')) {
+    const [low, high, left, width, top, height] = svg.dataset.time.split(' ').map(Number);
+    const x = left + width * (time - low) / (high - low);
+    svg.querySelector('.moment')?.remove();
+    svg.append(svgElement('path', {class: 'moment', stroke: 'currentColor', 'stroke-width': 1.5,
+                                   d: `M${x.toFixed(1)} ${top}v${height}`}));
+  }
 }
 
 // Walks four times as fast as the walker did.
@@ -120,7 +132,8 @@ function drawLayers() {
 
 // Drawn by walkgraph itself, as in the files beside the page.
 function drawFigures() {
-  const {figures} = state.run;
+  const {figures, notes} = state.run;
+  byId('notes').replaceChildren(...(notes ?? []).map((note) => element('li', {}, note)));
   byId('figures').hidden = figures.length === 0;
   byId('figure-list').replaceChildren(...figures.map((svg) => {
     const figure = element('figure', {class: 'plot'});
