@@ -13,7 +13,7 @@ read_texts(html page.html)
 read_texts(css page.css)
 read_texts(study_html study.html)
 read_texts(study_js study.js)
-read_texts(js data.js scores.js plan.js main.js)
+read_texts(js data.js scores.js plan.js courses.js main.js)
 file(WRITE ${OUTPUT} "#include \"eval/report/page.h\"
 
 namespace walkgraph {

@@ -167,7 +167,12 @@ std::string FormatExplanation(const EstimateResult& result, const Evidence& evid
   Json json = {{"factors", Json::array()},
                {"residuals", Json::object()},
                {"hypotheses", Json::array()},
-               {"readings_ns", Json::array()}};
+               {"readings_ns", Json::array()},
+               {"barometer", Json::array()}};
+  const Stream<double>& barometer = evidence.barometric_height_m;
+  for (std::size_t i = 0; i < barometer.size(); ++i) {
+    json["barometer"].push_back(Json::array({barometer.time_ns[i], barometer.value[i]}));
+  }
   for (const FactorStatistics& s : result.factor_statistics) {
     json["factors"].push_back({{"factor", s.factor},
                                {"count", s.count},

@@ -1,12 +1,9 @@
 #include "eval/report/explain.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
-#include <map>
-#include <sstream>
 
 #include "data/input_error.h"
 #include "eval/report/figures/plot.h"
@@ -108,8 +105,7 @@ class WalkExplainer {
     FactorNotes(method, json);
     HypothesisNotes(method, json.at("hypotheses"));
     SilenceNotes(json.at("readings_ns"));
-    ResidualFigures(method, json.at("residuals"));
-    StateFigures(method);
+    RejectedFigure(method, json.at("residuals"));
   }
 
   void FactorNotes(const std::string& method, const Json& json) {
@@ -158,63 +154,19 @@ class WalkExplainer {
     gap(last, high_s_);
   }
 
-  void ResidualFigures(const std::string& method, const Json& residuals) {
-    std::vector<std::string> names;
-    std::vector<Points> lines;
+  // What the robust loss set aside of each scan. Residuals and slow states stand below the plan.
+  void RejectedFigure(const std::string& method, const Json& residuals) {
+    const auto scans = residuals.find("fingerprint");
+    if (scans == residuals.end()) return;
     Points rejected;
-    constexpr std::size_t kFewestToDraw = 3;  // a prior is a number, not a course
-    for (const auto& [factor, rows] : residuals.items()) {
-      if (rows.size() < kFewestToDraw) continue;
-      names.push_back(factor);
-      lines.emplace_back();
-      for (const Json& row : rows) {
-        const double t = std::clamp(Seconds(row.at(0)), low_s_, high_s_);
-        lines.back().emplace_back(t, std::sqrt(row.at(1).get<double>()));
-        const double share = row.at(3).get<double>() / row.at(2).get<double>();
-        if (factor == "fingerprint") rejected.emplace_back(t, share);
-      }
-      std::stable_sort(lines.back().begin(), lines.back().end(),
-                       [](const auto& a, const auto& b) { return a.x() < b.x(); });
+    for (const Json& row : *scans) {
+      rejected.emplace_back(std::clamp(Seconds(row.at(0)), low_s_, high_s_),
+                            row.at(3).get<double>() / row.at(2).get<double>());
     }
-    TimeFigure(method + "_residuals", method + ": residuals of each factor (1 is as modelled)",
-               "sigmas", names, lines);
     std::stable_sort(rejected.begin(), rejected.end(),
                      [](const auto& a, const auto& b) { return a.x() < b.x(); });
     TimeFigure(method + "_rejected", method + ": share of a scan's readings down-weighted", "share",
                {}, {rejected});
-  }
-
-  void StateFigures(const std::string& method) {
-    std::ifstream in(dir_ + "/states/" + id_ + "." + method + ".csv");
-    std::map<std::string, std::vector<Points>> states;  // value, low, high
-    std::string line;
-    std::getline(in, line);
-    while (std::getline(in, line)) {
-      std::istringstream fields(line);
-      std::string name, time, value, sigma;
-      std::getline(std::getline(std::getline(std::getline(fields, name, ','), time, ','), value,
-                                ','),
-                   sigma, ',');
-      double v = NAN, s = NAN;
-      std::int64_t time_ns = 0;
-      std::from_chars(time.data(), time.data() + time.size(), time_ns);
-      std::from_chars(value.data(), value.data() + value.size(), v);
-      std::from_chars(sigma.data(), sigma.data() + sigma.size(), s);
-      if (!std::isfinite(v) || !std::isfinite(s)) continue;
-      auto& lines = states.try_emplace(name, 3).first->second;
-      const double t = std::clamp(static_cast<double>(time_ns - begin_ns_) * 1e-9, low_s_, high_s_);
-      lines[0].emplace_back(t, v);
-      lines[1].emplace_back(t, v - 2 * s);
-      lines[2].emplace_back(t, v + 2 * s);
-    }
-    for (auto& [name, lines] : states) {
-      for (Points& points : lines) {
-        // A knot holds until the next one, the last to the end.
-        points.emplace_back(high_s_, points.back().y());
-      }
-      TimeFigure(method + "_" + name, method + ": " + name, "", {"value", "- 2 sigma", "+ 2 sigma"},
-                 lines);
-    }
   }
 
   const std::string dir_;

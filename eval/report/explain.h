@@ -15,10 +15,9 @@ struct Explanation {
   std::vector<Figure> figures;
 };
 
-// Reads explain/ and states/ of a result folder for `walk`, an element of ReadResultFolder's
+// Reads explain/ of a result folder for `walk`, an element of ReadResultFolder's
 // "walks". Notes tell status, fit of each factor, rejected readings, stretches without readings and
-// competing hypotheses; figures the errors at the waypoints, each factor's residuals and each slow
-// state. Throws InputError on files that cannot be used.
+// competing hypotheses; figures the errors at the waypoints and the readings that were rejected. Throws InputError on files that cannot be used.
 Explanation ExplainWalk(const std::string& dir, const nlohmann::ordered_json& walk);
 
 }  // namespace walkgraph

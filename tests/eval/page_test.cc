@@ -121,11 +121,12 @@ TEST(Page, OfOneWalkExplainsItAndFollowsTheSlider) {
     time.dispatchEvent(new Event('input'));
     const notes = document.getElementById('notes').textContent;
     document.body.dataset.seen = `moved ${begin !== '' && moments() !== begin}; ` +
+        `courses ${document.querySelectorAll('#courses svg[data-time] .moment').length > 3}; ` +
         `walks ${document.querySelectorAll('#walk option').length}; ` +
         `fit ${/batch: fingerprint, \d+ measurements/.test(notes)}; ` +
         `answer ${/batch: hypothesis from .*, the answer/.test(notes)}`;
   )js");
-  EXPECT_THAT(visit.document, HasSubstr("moved true; walks 1; fit true; answer true"));
+  EXPECT_THAT(visit.document, HasSubstr("moved true; courses true; walks 1; fit true; answer true"));
   EXPECT_THAT(visit.console, Not(HasSubstr("CONSOLE")));
 }
 

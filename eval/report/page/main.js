@@ -102,6 +102,7 @@ function openWalk(index) {
   fillSelect(byId('floor'), floors.map((floor) => [String(floor.number), floor.name]),
       walk.waypoints.length > 0 ? walk.waypoints[0][3] : floors[0]?.number);
   drawWalkTable(walk);
+  openCourses(walk, Number(byId('time').max));
   setTime(0);
 }
 
@@ -169,6 +170,10 @@ function start() {
   byId('walk').addEventListener('change', () => openWalk(Number(byId('walk').value)));
   byId('previous').addEventListener('click', () => openWalk(Number(byId('walk').value) - 1));
   byId('next').addEventListener('click', () => openWalk(Number(byId('walk').value) + 1));
+  byId('course-method').addEventListener('change', () => {
+    drawCourses(state.walk, Number(byId('time').max));
+    markTime(state.time);
+  });
   byId('floor').addEventListener('change', redrawPlan);
   byId('extent').addEventListener('change', redrawPlan);
   byId('time').addEventListener('input', () => { stopPlaying(); setTime(Number(byId('time').value)); });
