@@ -25,8 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Everything that a run writes into its folder.
-const std::vector<std::string> kResultEntries = {
-    "run", "trajectories", "states", "explain", "walks", "scores.csv", "summary.json", "building.json"};
+const std::vector<std::string> kResultEntries = {"run",          "trajectories", "states",
+                                                 "explain",      "walks",        "scores.csv",
+                                                 "summary.json", "building.json"};
 
 std::string HexDigits(std::uint64_t hash) {
   std::array<char, 17> text;

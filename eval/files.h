@@ -28,8 +28,8 @@ void RequireEmptyFolder(const std::string& dir, const std::vector<std::string>& 
 // FNV-1a hash of a text as 16 hexadecimal digits.
 std::string TextChecksum(std::string_view text);
 
-// FNV-1a hash of a file's bytes as 16 hexadecimal digits; of a folder, that of the names and bytes of
-// all files in it. Throws InputError where it cannot be read.
+// FNV-1a hash of a file's bytes as 16 hexadecimal digits; of a folder, that of the names and bytes
+// of all files in it. Throws InputError where it cannot be read.
 std::string FileChecksum(const std::string& path);
 
 }  // namespace walkgraph

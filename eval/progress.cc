@@ -38,9 +38,8 @@ std::string Progress::TimeLeft() const {
 void Progress::Done(const std::string& name) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++done_;
-  const std::string line =
-      std::to_string(done_) + " of " + std::to_string(total_) + " " + what_ + " done: " + name +
-                           (done_ < total_ ? ", " + TimeLeft() : "");
+  const std::string line = std::to_string(done_) + " of " + std::to_string(total_) + " " + what_ +
+                           " done: " + name + (done_ < total_ ? ", " + TimeLeft() : "");
   Log(line);
   if (terminal_) {
     Draw(name);
@@ -55,8 +54,8 @@ void Progress::Draw(const std::string& name) const {
   std::string bar(filled, '#');
   bar.resize(kBarWidth, '.');
   // "\033[K" clears what a longer name left behind.
-  std::fprintf(stderr, "\r[%s] %d/%d %s, %s  %.40s\033[K", bar.c_str(), done_, total_, what_.c_str(),
-               TimeLeft().c_str(), name.c_str());
+  std::fprintf(stderr, "\r[%s] %d/%d %s, %s  %.40s\033[K", bar.c_str(), done_, total_,
+               what_.c_str(), TimeLeft().c_str(), name.c_str());
 }
 
 void Progress::Log(const std::string& line) const {

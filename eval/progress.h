@@ -8,7 +8,8 @@
 namespace walkgraph {
 
 // Tells on standard error how far a run is: a bar that redraws itself on a terminal, elsewhere a
-// plain line at each tenth of the way, both with the time left at the mean speed so far. Also appends the lines to a file, if one is named.
+// plain line at each tenth of the way, both with the time left at the mean speed so far. Also
+// appends the lines to a file, if one is named.
 class Progress {
  public:
   // `what` is the unit with the total before it: "walks".

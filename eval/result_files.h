@@ -24,10 +24,10 @@ std::string FormatTrajectoryTum(const Trajectory& trajectory);
 std::string FormatStatesCsv(const std::vector<SlowStateEstimate>& states);
 
 // What an explanation of one estimate needs: {"factors": [{"factor", "count",
-// "mean_squared_whitened", "downweighted"}], "residuals": {factor: [[time_ns, mean squared whitened,
-// measurements, downweighted]]}, "hypotheses": [{"source", "negative_log_posterior", "kept"}],
-// "readings_ns": [times at which transmitters were heard, each once], "barometer": [[time_ns,
-// standard-atmosphere height in metres]]}.
+// "mean_squared_whitened", "downweighted"}], "residuals": {factor: [[time_ns, mean squared
+// whitened, measurements, downweighted]]}, "hypotheses": [{"source", "negative_log_posterior",
+// "kept"}], "readings_ns": [times at which transmitters were heard, each once], "barometer":
+// [[time_ns, standard-atmosphere height in metres]]}.
 std::string FormatExplanation(const EstimateResult& result, const Evidence& evidence);
 
 // A row per walk and method in the order of the evaluation; unfinished walks are left out.

@@ -17,9 +17,9 @@ namespace walkgraph {
 namespace {
 
 std::vector<Verb> Verbs() {
-  return {InspectVerb(),  SurveyVerb(),  CalibrateVerb(), SmoothVerb(),
-          EvaluateVerb(), AblateVerb(), HonestyVerb(), ReportVerb(),    SimulateVerb(),
-          ConfigVerb(),   MethodsVerb(), VersionVerb()};
+  return {InspectVerb(),  SurveyVerb(), CalibrateVerb(), SmoothVerb(),
+          EvaluateVerb(), AblateVerb(), HonestyVerb(),   ReportVerb(),
+          SimulateVerb(), ConfigVerb(), MethodsVerb(),   VersionVerb()};
 }
 
 std::string Usage() {

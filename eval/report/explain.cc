@@ -126,8 +126,8 @@ class WalkExplainer {
       const Json& h = hypotheses[i];
       const Json& nats = h.at("negative_log_posterior");
       if (nats.is_null() || hypotheses[0].at("negative_log_posterior").is_null()) continue;
-      const double worse = nats.get<double>() -
-                           hypotheses[0].at("negative_log_posterior").get<double>();
+      const double worse =
+          nats.get<double>() - hypotheses[0].at("negative_log_posterior").get<double>();
       const std::string source = h.at("source").get<std::string>();
       Note(method + ": hypothesis from " + source +
            (i == 0 ? ", the answer"

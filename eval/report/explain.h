@@ -17,7 +17,8 @@ struct Explanation {
 
 // Reads explain/ of a result folder for `walk`, an element of ReadResultFolder's
 // "walks". Notes tell status, fit of each factor, rejected readings, stretches without readings and
-// competing hypotheses; figures the errors at the waypoints and the readings that were rejected. Throws InputError on files that cannot be used.
+// competing hypotheses; figures the errors at the waypoints and the readings that were rejected.
+// Throws InputError on files that cannot be used.
 Explanation ExplainWalk(const std::string& dir, const nlohmann::ordered_json& walk);
 
 }  // namespace walkgraph

@@ -40,11 +40,11 @@ void RequireSameInputs(const nlohmann::ordered_json& first, const nlohmann::orde
   for (const char* key : {"version", "checksums"}) {
     const auto &a = first.at("summary").at(key), &b = other.at("summary").at(key);
     if (a == b) continue;
-    const auto names = first.at("name").get<std::string>() + " and " +
-                       other.at("name").get<std::string>();
-    const std::string what = a.is_string() ? "versions " + a.get<std::string>() + " and " +
-                                                 b.get<std::string>()
-                                           : "different recordings, as their checksums say";
+    const auto names =
+        first.at("name").get<std::string>() + " and " + other.at("name").get<std::string>();
+    const std::string what =
+        a.is_string() ? "versions " + a.get<std::string>() + " and " + b.get<std::string>()
+                      : "different recordings, as their checksums say";
     throw UsageError(names + " hold results of " + what +
                      "; expected the same, or --allow_differences");
   }

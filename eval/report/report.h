@@ -10,9 +10,10 @@ namespace walkgraph {
 // of `walkgraph evaluate` or `smooth`: the score table of summary.json, the distribution of errors,
 // and every walk of walks/ and trajectories/ drawn on building.json, floor plans embedded. What a
 // folder does not have is left out; building.json it must have. Equal input gives equal bytes.
-// Throws InputError on a folder or file that cannot be read. Folders of several runs must have been made by one version from the same inputs: UsageError names
-// what differs, unless `allow_differences`. Beside the page, in a folder of its name without
-// extension, go the figures as SVG.
+// Throws InputError on a folder or file that cannot be read. Folders of several runs must have been
+// made by one version from the same inputs: UsageError names what differs, unless
+// `allow_differences`. Beside the page, in a folder of its name without extension, go the figures
+// as SVG.
 void WriteReport(const std::vector<std::string>& result_dirs, const std::string& out_file,
                  bool allow_differences = false);
 

@@ -14,24 +14,14 @@
 #include <vector>
 
 #include "data/input_error.h"
+#include "eval/report/courses.h"
+#include "eval/report/result_text.h"
 
 namespace walkgraph {
 namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-std::optional<std::string> ReadIfThere(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-Json ParseJson(const fs::path& path, const std::string& text) {
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw InputError(path.string(), 0, "not JSON", "a result file");
-  return json;
-}
 
 // The named column of each row of a comma-separated table; NaN for an empty field.
 constexpr std::array<std::string_view, 7> kColumns = {"time_ns", "x_m",    "y_m",   "floor",
@@ -40,22 +30,6 @@ struct Pose {
   std::int64_t time_ns = 0;
   std::array<double, 6> values{};  // the other columns
 };
-
-std::vector<std::string_view> Split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
-
-template <typename Number>
-bool ParseWhole(std::string_view text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size();
-}
 
 bool ParsePose(const std::vector<std::string_view>& fields,
                const std::array<std::size_t, 7>& columns, Pose& pose) {
@@ -94,15 +68,6 @@ std::vector<Pose> ParseTrajectory(const fs::path& path, const std::string& text)
     }
   }
   return poses;
-}
-
-Json Rounded(double value, double unit) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::round(value / unit) * unit;
-}
-
-double Seconds(std::int64_t time_ns, std::int64_t begin_ns) {
-  return static_cast<double>(time_ns - begin_ns) * 1e-9;
 }
 
 Json TrackJson(const std::vector<Pose>& poses, std::int64_t begin_ns) {
@@ -171,68 +136,6 @@ std::vector<fs::path> FilesIn(const fs::path& dir, const std::string& extension)
   return paths;
 }
 
-// Three decimals of a small number, whole numbers of a large one: enough for a line on a screen.
-Json RoundedToDigits(double value) {
-  if (!std::isfinite(value) || value == 0) return Rounded(value, 1);
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
-  // Divided by a power of ten the text is short; multiplied by its inverse it need not be.
-  return unit < 1 ? Json(std::round(value / unit) / std::round(1 / unit)) : Rounded(value, unit);
-}
-
-// {state: [[seconds, value, sigma]]} of states/<walk>.<method>.csv; empty where there is none.
-Json StatesJson(const fs::path& path, std::int64_t begin_ns) {
-  Json states = Json::object();
-  const std::string text = ReadIfThere(path).value_or("");
-  for (const std::string_view line : Split(text, '\n')) {
-    const std::vector<std::string_view> fields = Split(line, ',');
-    std::int64_t time_ns = 0;
-    double value = 0, sigma = 0;
-    if (fields.size() != 4 || !ParseWhole(fields[1], time_ns) || !ParseWhole(fields[2], value) ||
-        !ParseWhole(fields[3], sigma)) {
-      continue;
-    }
-    states[std::string(fields[0])].push_back({Rounded(Seconds(time_ns, begin_ns), 0.01),
-                                              RoundedToDigits(value), RoundedToDigits(sigma)});
-  }
-  return states;
-}
-
-// {factor: [[seconds, residual in sigmas]]} of those that came often enough to have a course.
-Json ResidualsJson(const Json& explanation, std::int64_t begin_ns) {
-  constexpr std::size_t kFewest = 3;
-  Json residuals = Json::object();
-  for (const auto& [factor, rows] : explanation.at("residuals").items()) {
-    if (rows.size() < kFewest) continue;
-    for (const Json& row : rows) {
-      residuals[factor].push_back({Rounded(Seconds(row.at(0).get<std::int64_t>(), begin_ns), 0.01),
-                                   RoundedToDigits(std::sqrt(row.at(1).get<double>()))});
-    }
-  }
-  return residuals;
-}
-
-// What the page draws over a walk's time, below its plan.
-void AddCourses(const fs::path& dir, Json* walk) {
-  const std::string id = walk->at("walk").get<std::string>();
-  const auto begin_ns = walk->at("begin_ns").get<std::int64_t>();
-  for (auto& [method, entry] : walk->at("methods").items()) {
-    const std::string name = id + "." + method;
-    Json states = StatesJson(dir / "states" / (name + ".csv"), begin_ns);
-    if (!states.empty()) entry["states"] = std::move(states);
-    const fs::path path = dir / "explain" / (name + ".json");
-    const std::optional<std::string> text = ReadIfThere(path);
-    if (!text) continue;
-    const Json explanation = ParseJson(path, *text);
-    entry["residuals"] = ResidualsJson(explanation, begin_ns);
-    if (walk->contains("barometer")) continue;
-    for (const Json& sample : explanation.at("barometer")) {
-      (*walk)["barometer"].push_back(
-          {Rounded(Seconds(sample.at(0).get<std::int64_t>(), begin_ns), 0.1),
-           Rounded(sample.at(1).get<double>(), 0.01)});
-    }
-  }
-}
-
 // Every walk of walks/<walk>.json and trajectories/<walk>.<method>.csv, by id.
 Json ReadWalks(const fs::path& dir) {
   std::map<std::string, Json> descriptions;
@@ -251,7 +154,7 @@ Json ReadWalks(const fs::path& dir) {
   Json walks = Json::array();
   for (const auto& [id, description] : descriptions) {
     walks.push_back(WalkJson(id, description, tracks[id]));
-    AddCourses(dir, &walks.back());
+    AddCourses(dir.string(), &walks.back());
   }
   return walks;
 }

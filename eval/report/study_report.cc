@@ -30,7 +30,8 @@ std::string CellsDifference(const StudyRecord& a, const StudyRecord& b) {
     return std::to_string(b.cells.size()) + " cells instead of " + std::to_string(a.cells.size());
   }
   for (std::size_t c = 0; c < a.cells.size(); ++c) {
-    if (a.cells[c].name != b.cells[c].name || a.cells[c].configuration != b.cells[c].configuration) {
+    if (a.cells[c].name != b.cells[c].name ||
+        a.cells[c].configuration != b.cells[c].configuration) {
       return "cell " + b.cells[c].name + " is configured otherwise";
     }
   }
@@ -111,8 +112,9 @@ std::string HtmlRow(const std::vector<std::string>& cells, const char* tag) {
 
 std::string HtmlTable(const std::vector<std::string>& header,
                       const std::vector<std::vector<std::string>>& rows) {
-  std::string table = "<div class=\"scroll\" tabindex=\"0\" role=\"region\"><table class=\"sortable\">"
-                      "<thead>";
+  std::string table =
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\"><table class=\"sortable\">"
+      "<thead>";
   table.append(HtmlRow(header, "th")).append("</thead><tbody>\n");
   for (const auto& row : rows) table.append(HtmlRow(row, "td"));
   return table.append("</tbody></table></div>\n");
@@ -125,20 +127,33 @@ std::string SectionHtml(const StudyRecord& record, const StudySection& section,
     const CellStatistics& cell = section.cells[c];
     const ErrorSummary& e = cell.errors;
     const auto time = seconds.find(record.cells[c].name);
-    rows.push_back({record.cells[c].name, std::to_string(cell.walks), std::to_string(e.n),
-                    Number(e.mean_m, 2), Range(cell.mean_interval_m),
-                    Number(cell.compared.mean_m, 2), Range(cell.compared.interval_m),
-                    Number(cell.compared.corrected_p, 4), Number(e.median_m, 2),
-                    Number(e.p75_m, 2), Number(e.p90_m, 2), Number(e.p95_m, 2),
-                    Number(e.max_m, 1), Number(e.rmse_m, 2), Number(e.floor_accuracy, 3),
-                    Number(e.coverage50, 3), Number(e.coverage95, 3), Number(e.nees, 2),
+    rows.push_back({record.cells[c].name,
+                    std::to_string(cell.walks),
+                    std::to_string(e.n),
+                    Number(e.mean_m, 2),
+                    Range(cell.mean_interval_m),
+                    Number(cell.compared.mean_m, 2),
+                    Range(cell.compared.interval_m),
+                    Number(cell.compared.corrected_p, 4),
+                    Number(e.median_m, 2),
+                    Number(e.p75_m, 2),
+                    Number(e.p90_m, 2),
+                    Number(e.p95_m, 2),
+                    Number(e.max_m, 1),
+                    Number(e.rmse_m, 2),
+                    Number(e.floor_accuracy, 3),
+                    Number(e.coverage50, 3),
+                    Number(e.coverage95, 3),
+                    Number(e.nees, 2),
                     Number(cell.claimed.spearman, 2),
                     time == seconds.end() ? "-" : Number(time->second, 3)});
   }
-  return HtmlTable({"cell", "walks", "n", "mean m", "95 % interval", "minus reference m",
-                    "95 % interval", "p (Holm)", "median m", "p75 m", "p90 m", "p95 m", "max m",
-                    "RMSE m", "floor", "in 50 %", "in 95 %", "NEES", "claimed~true", "s/walk"},
-                   rows);
+  return HtmlTable(
+      {"cell",          "walks",    "n",        "mean m",  "95 % interval", "minus reference m",
+       "95 % interval", "p (Holm)", "median m", "p75 m",   "p90 m",         "p95 m",
+       "max m",         "RMSE m",   "floor",    "in 50 %", "in 95 %",       "NEES",
+       "claimed~true",  "s/walk"},
+      rows);
 }
 
 std::string ContributionsHtml(const DatasetStatistics& statistics) {
@@ -157,8 +172,8 @@ std::string BreakdownHtml(const StudyRecord& record, const DatasetStatistics& st
   for (std::size_t c = 0; c < cells; ++c) header.push_back(record.cells[c].name + ", mean m");
   std::vector<std::vector<std::string>> rows;
   for (const BreakdownRow& row : statistics.breakdown) {
-    rows.push_back({row.by, row.value, std::to_string(row.walks),
-                    std::to_string(row.cells.front().n)});
+    rows.push_back(
+        {row.by, row.value, std::to_string(row.walks), std::to_string(row.cells.front().n)});
     for (std::size_t c = 0; c < cells; ++c) {
       rows.back().push_back(Number(row.cells[c].mean_m, 2));
     }

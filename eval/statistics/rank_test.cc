@@ -18,8 +18,8 @@ void SortByValue(const std::vector<double>& values, std::vector<std::size_t>* in
 // P(W+ <= w) where every rank counts with probability 1/2. Mean ranks are halves of whole numbers,
 // so that twice the sum indexes the table.
 double ExactLowerTail(const std::vector<double>& ranks, double w) {
-  const auto total = static_cast<std::size_t>(
-      std::lround(2.0 * std::accumulate(ranks.begin(), ranks.end(), 0.0)));
+  const auto total =
+      static_cast<std::size_t>(std::lround(2.0 * std::accumulate(ranks.begin(), ranks.end(), 0.0)));
   std::vector<double> probability(total + 1, 0.0);
   probability[0] = 1.0;
   for (const double rank : ranks) {

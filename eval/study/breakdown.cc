@@ -48,8 +48,8 @@ ClassKey ClassOf(const Scale& scale, double value) {
   const auto begin = above == scale.edges.begin() ? above : std::prev(above);
   const std::string from = FixedDecimals(*begin, 0);
   const auto end = std::next(begin);
-  return {*begin, end == scale.edges.end() ? from + " and more"
-                                           : from + " to " + FixedDecimals(*end, 0)};
+  return {*begin,
+          end == scale.edges.end() ? from + " and more" : from + " to " + FixedDecimals(*end, 0)};
 }
 
 using Classify = std::function<ClassKey(const WalkCells&, const StudyWaypoint&)>;

@@ -26,8 +26,8 @@ std::vector<StudyWaypoint> DescribeWaypoints(const Truth& truth, const Evidence&
     const double since_s = next == evidence.readings.begin()
                                ? std::numeric_limits<double>::quiet_NaN()
                                : SecondsBetween(std::prev(next)->heard_ns, waypoint.time_ns);
-    described.push_back({SecondsBetween(evidence.begin_ns, waypoint.time_ns), waypoint.floor,
-                         distance_m, since_s});
+    described.push_back(
+        {SecondsBetween(evidence.begin_ns, waypoint.time_ns), waypoint.floor, distance_m, since_s});
   }
   return described;
 }

@@ -146,9 +146,9 @@ class PartRun {
   void RunOneWalk(std::size_t fold, std::size_t walk) {
     const std::string path = PathOf(walks_[walk].file.id);
     const std::optional<WalkCells> earlier = ReadWalkCells(path);
-    const CellsRun run = RunCells(cells_[fold], folds_[fold].site, walks_[walk],
-                                  static_cast<int>(fold), earlier ? &*earlier : nullptr,
-                                  options_.stopped);
+    const CellsRun run =
+        RunCells(cells_[fold], folds_[fold].site, walks_[walk], static_cast<int>(fold),
+                 earlier ? &*earlier : nullptr, options_.stopped);
     WriteFileWholeVia(run_dir_ + "/unfinished", path, FormatWalkCells(run.walk));
     std::string timings;
     for (const auto& [cell, seconds] : run.seconds) {

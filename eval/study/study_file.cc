@@ -88,8 +88,8 @@ class StudyReader {
     if (!node) throw InputError(path_, 0, "no datasets", "`datasets:` with a folder or several");
     if (node.IsMap()) {
       for (const auto& entry : node) {
-        study_.datasets.push_back({entry.first.as<std::string>(),
-                                   Scalar(entry.second, "a folder")});
+        study_.datasets.push_back(
+            {entry.first.as<std::string>(), Scalar(entry.second, "a folder")});
       }
       return;
     }
@@ -177,7 +177,8 @@ class StudyReader {
   void ReadGrid(const YAML::Node& node) {
     RequireKeys(node, {"method", "keys"});
     if (!node["method"] || !node["keys"] || !node["keys"].IsMap()) {
-      Fail(node, "a grid lacks its method or its keys", "`method: NAME` and `keys: {KEY: [VALUE]}`");
+      Fail(node, "a grid lacks its method or its keys",
+           "`method: NAME` and `keys: {KEY: [VALUE]}`");
     }
     const Method* method = MethodNamed(Scalar(node["method"], "a method"), node["method"]);
     std::vector<StudyCell> cells = {{"", method, {}}};

@@ -35,11 +35,10 @@ StudyRecord FromJson(const Json& json) {
                                item.at("checksums").get<std::map<std::string, std::string>>()});
   }
   for (const Json& item : json.at("cells")) {
-    record.cells.push_back({item.at("name").get<std::string>(),
-                            item.at("method").get<std::string>(),
-                            item.at("overrides").get<std::map<std::string, std::string>>(),
-                            item.at("configuration").get<std::string>(),
-                            item.at("part").get<std::string>()});
+    record.cells.push_back(
+        {item.at("name").get<std::string>(), item.at("method").get<std::string>(),
+         item.at("overrides").get<std::map<std::string, std::string>>(),
+         item.at("configuration").get<std::string>(), item.at("part").get<std::string>()});
   }
   record.reference = json.at("reference").get<std::string>();
   record.factors = json.at("factors").get<std::vector<std::string>>();
@@ -55,8 +54,7 @@ std::string Differs(const char* what, const Value& ours, const Value& theirs) {
   if constexpr (std::is_same_v<Value, std::string>) {
     return std::string(what) + " " + theirs + " instead of " + ours;
   } else {
-    return std::string(what) + " " + std::to_string(theirs) + " instead of " +
-           std::to_string(ours);
+    return std::string(what) + " " + std::to_string(theirs) + " instead of " + std::to_string(ours);
   }
 }
 
@@ -77,8 +75,8 @@ std::string MapDifference(const char* what, const std::map<std::string, std::str
 }
 
 std::string DatasetDifference(const StudyRecord& record, const StudyRecord& other) {
-  std::string difference = Differs("number of data sets", record.datasets.size(),
-                                   other.datasets.size());
+  std::string difference =
+      Differs("number of data sets", record.datasets.size(), other.datasets.size());
   for (std::size_t i = 0; difference.empty() && i < record.datasets.size(); ++i) {
     difference = Differs("data set", record.datasets[i].name, other.datasets[i].name);
     if (!difference.empty()) break;
@@ -118,16 +116,11 @@ StudyRecord MakeStudyRecord(const Study& study) {
 }
 
 std::string FormatStudyRecord(const StudyRecord& record) {
-  Json json = {{"version", record.version},
-               {"split", record.split},
-               {"folds", record.folds},
-               {"floor_given", record.floor_given},
-               {"base", record.base},
-               {"datasets", Json::array()},
-               {"cells", Json::array()},
-               {"reference", record.reference},
-               {"factors", record.factors},
-               {"subsets", Json::array()}};
+  Json json = {{"version", record.version}, {"split", record.split},
+               {"folds", record.folds},     {"floor_given", record.floor_given},
+               {"base", record.base},       {"datasets", Json::array()},
+               {"cells", Json::array()},    {"reference", record.reference},
+               {"factors", record.factors}, {"subsets", Json::array()}};
   for (const StudyDatasetRecord& dataset : record.datasets) {
     json["datasets"].push_back({{"name", dataset.name}, {"checksums", dataset.checksums}});
   }
@@ -160,8 +153,8 @@ std::string DifferenceOfInputs(const StudyRecord& record, const StudyRecord& oth
   if (difference.empty()) difference = Differs("split", record.split, other.split);
   if (difference.empty()) difference = Differs("folds", record.folds, other.folds);
   if (difference.empty() && record.floor_given != other.floor_given) {
-    difference = other.floor_given ? "floor given instead of unknown"
-                                   : "floor unknown instead of given";
+    difference =
+        other.floor_given ? "floor given instead of unknown" : "floor unknown instead of given";
   }
   if (difference.empty()) difference = MapDifference("setting", record.base, other.base);
   if (difference.empty()) difference = DatasetDifference(record, other);

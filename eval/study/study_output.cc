@@ -41,12 +41,10 @@ Json CellJson(const CellStatistics& cell) {
   json.update(ErrorsJson(cell.errors));
   json["mean_interval_m"] = Bounds(cell.mean_interval_m);
   const ComparedWithReference& compared = cell.compared;
-  json["minus_reference"] = {{"mean_m", Number(compared.mean_m)},
-                             {"interval_m", Bounds(compared.interval_m)},
-                             {"walks_that_differ", compared.test.n},
-                             {"w_plus", Number(compared.test.w_plus)},
-                             {"p", Number(compared.test.p_value)},
-                             {"p_corrected", Number(compared.corrected_p)}};
+  json["minus_reference"] = {
+      {"mean_m", Number(compared.mean_m)},    {"interval_m", Bounds(compared.interval_m)},
+      {"walks_that_differ", compared.test.n}, {"w_plus", Number(compared.test.w_plus)},
+      {"p", Number(compared.test.p_value)},   {"p_corrected", Number(compared.corrected_p)}};
   json["claimed_with_true_error"] = {{"n", cell.claimed.n},
                                      {"pearson", Number(cell.claimed.pearson)},
                                      {"spearman", Number(cell.claimed.spearman)}};
@@ -129,8 +127,8 @@ Table BreakdownTable(const StudyRecord& record, const DatasetStatistics& dataset
 Table ContributionsTable(const DatasetStatistics& dataset, int digits) {
   Table table({"factor (" + dataset.name + ")", "removes, m", "95% interval"});
   for (const FactorContribution& factor : dataset.contributions) {
-    table.AddRow({factor.factor, FixedDecimals(factor.removes_m, digits),
-                  Range(factor.interval_m, digits)});
+    table.AddRow(
+        {factor.factor, FixedDecimals(factor.removes_m, digits), Range(factor.interval_m, digits)});
   }
   return table;
 }
@@ -158,12 +156,9 @@ constexpr int kDigits = 2, kCsvDigits = 4;
 
 std::string FormatStudySummary(const StudyRecord& record,
                                const std::vector<DatasetStatistics>& statistics) {
-  Json json = {{"version", record.version},
-               {"split", record.split},
-               {"folds", record.folds},
-               {"floor_given", record.floor_given},
-               {"reference", record.reference},
-               {"datasets", Json::object()}};
+  Json json = {{"version", record.version},     {"split", record.split},
+               {"folds", record.folds},         {"floor_given", record.floor_given},
+               {"reference", record.reference}, {"datasets", Json::object()}};
   for (const DatasetStatistics& dataset : statistics) {
     json["datasets"][dataset.name] = DatasetJson(record, dataset);
   }
@@ -194,9 +189,10 @@ void WriteStudyTables(const std::string& dir, const StudyRecord& record,
 int FinishStudy(const std::string& dir, const StudyRecord& record) {
   const StudyResults results = ReadStudyResults({dir}, record);
   if (results.missing > 0) {
-    std::printf("%zu walks of the study are missing: run the other shards into %s, or merge their "
-                "folders with `walkgraph report`\n",
-                results.missing, dir.c_str());
+    std::printf(
+        "%zu walks of the study are missing: run the other shards into %s, or merge their "
+        "folders with `walkgraph report`\n",
+        results.missing, dir.c_str());
     return kExitOk;
   }
   const std::vector<DatasetStatistics> statistics = ComputeStatistics(results);

@@ -134,13 +134,13 @@ DatasetStatistics StatisticsOf(const DatasetResults& dataset, const StudyRecord&
     if (AllPlaced(walk)) placed.push_back(&walk);
   }
   const std::size_t cells = record.cells.size(), reference = ReferenceOf(record);
-  return {dataset.name,
-          {MakeSection("all", all, cells, reference),
-           MakeSection("covered", covered, cells, reference),
-           MakeSection("placed", placed, cells, reference)},
-          BreakDown(all, cells),
-          ContributionsOf(all, record),
-          CountStatus(dataset.walks, cells)};
+  return {
+      dataset.name,
+      {MakeSection("all", all, cells, reference), MakeSection("covered", covered, cells, reference),
+       MakeSection("placed", placed, cells, reference)},
+      BreakDown(all, cells),
+      ContributionsOf(all, record),
+      CountStatus(dataset.walks, cells)};
 }
 
 }  // namespace

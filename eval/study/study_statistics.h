@@ -16,8 +16,8 @@ namespace walkgraph {
 // A cell against the study's reference on the same waypoints; negative is better than it.
 struct ComparedWithReference {
   double mean_m = std::numeric_limits<double>::quiet_NaN();  // difference of the mean errors
-  Interval interval_m;             // 95 %, paired bootstrap over walks
-  SignedRankTest test;             // of the walks' mean errors
+  Interval interval_m;                                       // 95 %, paired bootstrap over walks
+  SignedRankTest test;                                       // of the walks' mean errors
   double corrected_p = std::numeric_limits<double>::quiet_NaN();  // for the section's cells (Holm)
 };
 
@@ -25,9 +25,9 @@ struct ComparedWithReference {
 struct CellStatistics {
   int walks = 0;
   ErrorSummary errors;
-  Interval mean_interval_m;       // 95 %, bootstrap over walks
+  Interval mean_interval_m;        // 95 %, bootstrap over walks
   ComparedWithReference compared;  // empty for the reference itself
-  Correlation claimed;            // of claimed with true error
+  Correlation claimed;             // of claimed with true error
 };
 
 // A selection of waypoints with every cell. Sections, each over waypoints:
@@ -59,7 +59,7 @@ struct DatasetStatistics {
   std::string name;
   std::vector<StudySection> sections;
   std::vector<BreakdownRow> breakdown;
-  std::vector<FactorContribution> contributions;  // empty unless every subset was run
+  std::vector<FactorContribution> contributions;   // empty unless every subset was run
   std::vector<std::map<std::string, int>> status;  // walks by status, per cell
 };
 

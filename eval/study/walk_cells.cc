@@ -101,16 +101,16 @@ constexpr std::size_t kChecksumDigits = 16;
 }  // namespace
 
 std::string FormatWalkCells(const WalkCells& walk) {
-  const Json head = {{"walk", walk.walk},
-                     {"fold", walk.fold},
-                     {"device", walk.device},
-                     {"duration_s", walk.duration_s},
-                     {"survey_distance_m", std::isinf(walk.survey_distance_m)
-                                               ? Json("infinite")
-                                               : Number(walk.survey_distance_m)},
-                     {"error", walk.error},
-                     {"waypoints", WaypointsJson(walk.waypoints)},
-                     {"centroid", ErrorsJson(walk.centroid_errors)}};
+  const Json head = {
+      {"walk", walk.walk},
+      {"fold", walk.fold},
+      {"device", walk.device},
+      {"duration_s", walk.duration_s},
+      {"survey_distance_m",
+       std::isinf(walk.survey_distance_m) ? Json("infinite") : Number(walk.survey_distance_m)},
+      {"error", walk.error},
+      {"waypoints", WaypointsJson(walk.waypoints)},
+      {"centroid", ErrorsJson(walk.centroid_errors)}};
   std::string body = "\n\"walk\": " + Line(head) + ",\n\"cells\": [";
   for (std::size_t i = 0; i < walk.cells.size(); ++i) {
     const CellResult& cell = walk.cells[i];

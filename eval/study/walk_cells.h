@@ -38,9 +38,9 @@ struct WalkCells {
   std::string device;
   double duration_s = 0;
   double survey_distance_m = std::numeric_limits<double>::quiet_NaN();
-  std::string error;                            // why the walk could not be read, or empty
+  std::string error;  // why the walk could not be read, or empty
   std::vector<StudyWaypoint> waypoints;
-  std::vector<WaypointError> centroid_errors;   // what a cell without errors is scored as
+  std::vector<WaypointError> centroid_errors;  // what a cell without errors is scored as
   std::vector<CellResult> cells;
 };
 

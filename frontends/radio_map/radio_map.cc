@@ -133,8 +133,8 @@ FieldValue RadioMap::Evaluate(int field, const FieldBasis& basis) const {
   const ScalarValue mean = EvaluateMean(field, basis);
   const ScalarValue log_sigma = EvaluateLogSigma(field, basis);
   const ScalarValue logit = EvaluateLogitHear(field, basis);
-  return {mean.value,         log_sigma.value, logit.value, mean.gradient, log_sigma.gradient,
-          logit.gradient};
+  return {mean.value,    log_sigma.value,    logit.value,
+          mean.gradient, log_sigma.gradient, logit.gradient};
 }
 
 FieldValue RadioMap::EvaluateValue(int field, const FieldBasis& basis) const {

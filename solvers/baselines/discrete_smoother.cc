@@ -3,21 +3,19 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "data/angle.h"
 #include "factors/map_sweeps.h"
 #include "solvers/baselines/discrete_motion.h"
 #include "solvers/baselines/lattice.h"
 #include "solvers/baselines/likelihood_grid.h"
+#include "solvers/baselines/trellis.h"
 
 namespace walkgraph {
 namespace {
 
 // Readings of a sweep closer in time than this are placed together: 0.3 m of walking.
 constexpr double kPartSeconds = 0.5;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 std::vector<TimeNs> EpochTimes(const Evidence& evidence, double epoch_s) {
   const double span_s = SecondsBetween(evidence.begin_ns, evidence.end_ns);
@@ -103,149 +101,9 @@ class Emissions {
   bool any_ = false;
 };
 
-struct State {
-  std::int32_t cell = 0;
-  std::int32_t bin = 0;
-  std::int32_t previous = -1;  // index into the states of the epoch before
-  float nats = 0;
-};
-using Layer = std::vector<State>;
-
-class Trellis {
- public:
-  Trellis(const Lattice& lattice, const HeadingBins& bins, double beam_nats)
-      : lattice_(lattice),
-        bins_(bins),
-        beam_nats_(static_cast<float>(beam_nats)),
-        slot_(lattice.size() * bins.offset_rad.size(), -1) {}
-
-  void Begin(const std::vector<float>& emission) {
-    Layer layer;
-    for (int bin = 0; bin < bins_.size(); ++bin) {
-      for (std::size_t c = 0; c < lattice_.size(); ++c) {
-        layer.push_back({static_cast<std::int32_t>(c), bin, -1,
-                         emission[c] + bins_.prior_nats[static_cast<std::size_t>(bin)]});
-      }
-    }
-    layers_.push_back(Prune(std::move(layer)));
-  }
-
-  void Advance(const Transition& transition, const std::vector<float>& emission) {
-    const Layer& from = layers_.back();
-    Layer to;
-    limit_nats_ = LimitOf(from, transition, emission) + beam_nats_;
-    for (int bin = 0; bin < bins_.size(); ++bin) {
-      const double turn = bins_.offset_rad[static_cast<std::size_t>(bin)];
-      const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
-      PrepareMoves(rotation * transition.displacement_m, transition.variance_m2);
-      for (std::size_t i = 0; i < from.size(); ++i) {
-        if (from[i].bin == bin) Spread(from, static_cast<std::int32_t>(i), emission, &to);
-      }
-    }
-    for (const State& state : to) slot_[Slot(state)] = -1;
-    // A walk that leaves the lattice stays where it was rather than losing every state.
-    layers_.push_back(to.empty() ? Stay(from) : Prune(std::move(to)));
-  }
-
-  const std::vector<Layer>& layers() const { return layers_; }
-
- private:
-  struct Move {
-    int columns, rows;
-    float nats;
-  };
-
-  std::size_t Slot(const State& state) const {
-    return static_cast<std::size_t>(state.bin) * lattice_.size() +
-           static_cast<std::size_t>(state.cell);
-  }
-
-  Layer Prune(Layer layer) const {
-    float best = kInfinity;
-    for (const State& state : layer) best = std::min(best, state.nats);
-    std::erase_if(layer, [&](const State& state) { return !(state.nats <= best + beam_nats_); });
-    return layer;
-  }
-
-  static Layer Stay(const Layer& from) {
-    Layer layer = from;
-    for (std::size_t i = 0; i < layer.size(); ++i) {
-      layer[i].previous = static_cast<std::int32_t>(i);
-    }
-    return layer;
-  }
-
-  void PrepareMoves(const Eigen::Vector2d& displacement_m, double variance_m2) {
-    moves_.clear();
-    const double h = lattice_.spacing_m();
-    const Eigen::Vector2d mean = displacement_m / h;
-    const int reach = static_cast<int>(std::ceil(3.0 * std::sqrt(variance_m2) / h));
-    const int column = static_cast<int>(std::lround(mean.x()));
-    const int row = static_cast<int>(std::lround(mean.y()));
-    const double normaliser = std::log(2.0 * std::numbers::pi * variance_m2);
-    for (int r = row - reach; r <= row + reach; ++r) {
-      for (int c = column - reach; c <= column + reach; ++c) {
-        const double squared = (Eigen::Vector2d(c, r) - mean).squaredNorm() * h * h;
-        moves_.push_back({c, r, static_cast<float>(0.5 * squared / variance_m2 + normaliser)});
-      }
-    }
-  }
-
-  // What the best state reaches: the next layer's best is no worse, so that whatever lies a beam
-  // above it need not be kept at all. Infinite where that state has left the lattice.
-  float LimitOf(const Layer& from, const Transition& transition,
-                const std::vector<float>& emission) {
-    const auto best = std::min_element(
-        from.begin(), from.end(), [](const State& a, const State& b) { return a.nats < b.nats; });
-    const double turn = bins_.offset_rad[static_cast<std::size_t>(best->bin)];
-    PrepareMoves(Eigen::Rotation2Dd(turn) * transition.displacement_m, transition.variance_m2);
-    float limit = kInfinity;
-    for (const Move& move : moves_) {
-      const std::int32_t cell = lattice_.Neighbour(best->cell, move.columns, move.rows);
-      if (cell == Lattice::kNoCell) continue;
-      limit = std::min(limit, best->nats + move.nats + emission[static_cast<std::size_t>(cell)]);
-    }
-    return limit;
-  }
-
-  void Spread(const Layer& from, std::int32_t index, const std::vector<float>& emission,
-              Layer* to) {
-    const State& state = from[static_cast<std::size_t>(index)];
-    for (const Move& move : moves_) {
-      const std::int32_t cell = lattice_.Neighbour(state.cell, move.columns, move.rows);
-      if (cell == Lattice::kNoCell) continue;
-      const float nats = state.nats + move.nats + emission[static_cast<std::size_t>(cell)];
-      if (nats > limit_nats_) continue;
-      for (int step = -1; step <= 1; ++step) {
-        const int bin = bins_.size() == 1 ? (step == 0 ? 0 : -1) : bins_.Neighbour(state.bin, step);
-        if (bin < 0) continue;
-        const float change = step == 0 ? 0.0F : bins_.change_nats;
-        Relax({cell, bin, index, nats + change}, to);
-      }
-    }
-  }
-
-  void Relax(const State& candidate, Layer* to) {
-    std::int32_t& slot = slot_[Slot(candidate)];
-    if (slot < 0) {
-      slot = static_cast<std::int32_t>(to->size());
-      to->push_back(candidate);
-    } else if (candidate.nats < (*to)[static_cast<std::size_t>(slot)].nats) {
-      (*to)[static_cast<std::size_t>(slot)] = candidate;
-    }
-  }
-
-  const Lattice& lattice_;
-  const HeadingBins& bins_;
-  float beam_nats_;
-  float limit_nats_ = 0;  // see LimitOf
-  std::vector<std::int32_t> slot_;  // of each (bin, cell) in the layer under construction
-  std::vector<Move> moves_;
-  std::vector<Layer> layers_;
-};
-
-DiscretePath Trace(const std::vector<Layer>& layers, std::size_t last, const Lattice& lattice,
-                   const HeadingBins& bins, const std::vector<TimeNs>& times) {
+DiscretePath Trace(const std::vector<TrellisLayer>& layers, std::size_t last,
+                   const Lattice& lattice, const HeadingBins& bins,
+                   const std::vector<TimeNs>& times) {
   DiscretePath path;
   path.negative_log_posterior = layers.back()[last].nats;
   path.position_m.time_ns = times;
@@ -254,7 +112,7 @@ DiscretePath Trace(const std::vector<Layer>& layers, std::size_t last, const Lat
   path.heading_offset_rad.value.resize(times.size());
   auto index = static_cast<std::int32_t>(last);
   for (std::size_t k = layers.size(); k-- > 0;) {
-    const State& state = layers[k][static_cast<std::size_t>(index)];
+    const TrellisState& state = layers[k][static_cast<std::size_t>(index)];
     path.position_m.value[k] = lattice.centers_m()[static_cast<std::size_t>(state.cell)];
     path.heading_offset_rad.value[k] = bins.offset_rad[static_cast<std::size_t>(state.bin)];
     index = state.previous;
@@ -281,7 +139,7 @@ std::vector<DiscretePath> DistinctPaths(const Trellis& trellis, const Lattice& l
                                         const HeadingBins& bins, const std::vector<TimeNs>& times,
                                         const DiscreteSettings& settings) {
   constexpr std::size_t kMaxTraces = 2000;
-  const Layer& ends = trellis.layers().back();
+  const TrellisLayer& ends = trellis.layers().back();
   std::vector<std::size_t> order(ends.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),

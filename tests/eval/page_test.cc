@@ -32,8 +32,8 @@ Visit Open(const std::string& page, const std::string& script) {
   std::ofstream(copy) << html;
   const std::string command =
       "timeout 60 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
-      "--user-data-dir='" + dir + "' --dump-dom 'file://" + copy + "' >'" + copy + ".dom' 2>'" +
-      copy + ".log'";
+      "--user-data-dir='" +
+      dir + "' --dump-dom 'file://" + copy + "' >'" + copy + ".dom' 2>'" + copy + ".log'";
   EXPECT_EQ(std::system(command.c_str()), 0);
   return {ReadText(copy + ".dom"), ReadText(copy + ".log")};
 }
@@ -107,8 +107,7 @@ TEST(Page, OfOneWalkExplainsItAndFollowsTheSlider) {
                           "--methods=wknn,batch"})
                 .exit_code,
             0);
-  const ProgramResult misspelt =
-      RunWalkgraph({"report", out, "--walk=walk_00", "--out=" + page});
+  const ProgramResult misspelt = RunWalkgraph({"report", out, "--walk=walk_00", "--out=" + page});
   EXPECT_EQ(misspelt.exit_code, 2);
   EXPECT_THAT(misspelt.output, HasSubstr("did you mean \"walk_01\"?"));
   ASSERT_EQ(RunWalkgraph({"report", out, "--walk=walk_02", "--out=" + page}).exit_code, 0);
@@ -126,7 +125,8 @@ TEST(Page, OfOneWalkExplainsItAndFollowsTheSlider) {
         `fit ${/batch: fingerprint, \d+ measurements/.test(notes)}; ` +
         `answer ${/batch: hypothesis from .*, the answer/.test(notes)}`;
   )js");
-  EXPECT_THAT(visit.document, HasSubstr("moved true; courses true; walks 1; fit true; answer true"));
+  EXPECT_THAT(visit.document,
+              HasSubstr("moved true; courses true; walks 1; fit true; answer true"));
   EXPECT_THAT(visit.console, Not(HasSubstr("CONSOLE")));
 }
 

@@ -70,8 +70,8 @@ TEST(SignedRanks, NormalContinuesTheExactDistribution) {
     }
   }
   const auto tail = share.begin() + static_cast<std::ptrdiff_t>(w_minus) + 1;
-  EXPECT_NEAR(TestSignedRanks(differences).p_value,
-              2 * std::accumulate(share.begin(), tail, 0.0), 2e-3);
+  EXPECT_NEAR(TestSignedRanks(differences).p_value, 2 * std::accumulate(share.begin(), tail, 0.0),
+              2e-3);
 }
 
 // Holm's method on four tests: 4 * 0.005, 3 * 0.01, 2 * 0.03, and never below an earlier one.

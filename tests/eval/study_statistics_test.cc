@@ -105,7 +105,7 @@ TEST(StudyStatistics, PairedComparisonEqualsPlainArithmetic) {
   // its magnitude is the smallest: W+ = 78 - 1.
   EXPECT_EQ(found.test.n, 12);
   EXPECT_NEAR(found.test.w_plus, 77, kExact);
-  EXPECT_NEAR(found.test.p_value, 2 * 2.0 / 4096, kExact);  // W- of 0 or 1
+  EXPECT_NEAR(found.test.p_value, 2 * 2.0 / 4096, kExact);     // W- of 0 or 1
   EXPECT_NEAR(found.corrected_p, found.test.p_value, kExact);  // the only test
   EXPECT_TRUE(std::isnan(d.sections.front().cells[0].compared.mean_m));
 }
@@ -137,8 +137,10 @@ TEST(StudyStatistics, SectionsAndBreakdownSelectWalksAndWaypoints) {
 TEST(StudyStatistics, ContributionsAreShapleyValuesOfTheMean) {
   StudyResults results = TwelveWalks();
   results.record.factors = {"x", "y"};
-  results.record.cells = {
-      {"none", "", {}, "", ""}, {"x", "", {}, "", ""}, {"y", "", {}, "", ""}, {"all", "", {}, "", ""}};
+  results.record.cells = {{"none", "", {}, "", ""},
+                          {"x", "", {}, "", ""},
+                          {"y", "", {}, "", ""},
+                          {"all", "", {}, "", ""}};
   results.record.reference = "all";
   results.record.cell_of_subset = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
   constexpr double kMean[] = {10, 7, 9, 4};

@@ -179,7 +179,8 @@ TEST(Ablate, AGridIsEveryCombinationAndANewMapIsTrainedWhereItMatters) {
   };
   // As configured anyway: the same numbers by another way, and no difference to test.
   const std::string grid = "wknn[baselines.wknn.k=";
-  EXPECT_THAT(RowOf(grid + "5 radio_map.positions=smoother]"), HasSubstr(",0.0000,0.0000 .. 0.0000,-"));
+  EXPECT_THAT(RowOf(grid + "5 radio_map.positions=smoother]"),
+              HasSubstr(",0.0000,0.0000 .. 0.0000,-"));
   EXPECT_NE(RowOf(grid + "5 radio_map.positions=walked_distance]"),
             RowOf(grid + "5 radio_map.positions=smoother]"));
   EXPECT_NE(RowOf(grid + "1 radio_map.positions=smoother]"),

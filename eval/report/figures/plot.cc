@@ -70,12 +70,23 @@ std::string EscapeXml(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      default: escaped += c;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
     }
   }
   return escaped;
@@ -125,15 +136,16 @@ void Plot::DrawRows(const Axis& x, const std::vector<std::string>& rows) {
   y_ = {"", static_cast<double>(rows.size()) - 0.5, -0.5, false};
   DrawXAxis();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double at = kTop + height_ * (static_cast<double>(i) + 0.5) /
-                                 static_cast<double>(rows.size());
+    const double at =
+        kTop + height_ * (static_cast<double>(i) + 0.5) / static_cast<double>(rows.size());
     Text(left_ - 7, at + 4, "end", rows[i]);
   }
 }
 
 void Plot::Line(const std::vector<Eigen::Vector2d>& points, const SeriesStyle& style) {
   if (points.empty()) return;
-  body_.append("<path fill=\"none\" stroke-width=\"1.8\"").append(Attribute("stroke", style.colour));
+  body_.append("<path fill=\"none\" stroke-width=\"1.8\"")
+      .append(Attribute("stroke", style.colour));
   if (!style.dashes.empty()) body_.append(Attribute("stroke-dasharray", style.dashes));
   body_.append(" d=\"");
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -152,8 +164,7 @@ void Plot::Segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std
   body_.append(Px(to.y())).append("\"/>\n");
 }
 
-void Plot::Box(const Eigen::Vector2d& low, const Eigen::Vector2d& high,
-               const std::string& colour) {
+void Plot::Box(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const std::string& colour) {
   const Eigen::Vector2d a = Pixel(low), b = Pixel(high);
   body_.append("<rect fill-opacity=\"0.35\"").append(Attribute("fill", colour));
   body_.append(Attribute("stroke", colour)).append(Attribute("x", Px(std::min(a.x(), b.x()))));
@@ -164,9 +175,9 @@ void Plot::Box(const Eigen::Vector2d& low, const Eigen::Vector2d& high,
 
 void Plot::Marker(const Eigen::Vector2d& at, const SeriesStyle& style) {
   // Circle, square, triangle, diamond.
-  constexpr std::array<const char*, 4> kShapes = {
-      "m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", "m-3.5 -3.5h7v7h-7z", "m0 -4.5l4.5 8h-9z",
-      "m0 -5l5 5l-5 5l-5 -5z"};
+  constexpr std::array<const char*, 4> kShapes = {"m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
+                                                  "m-3.5 -3.5h7v7h-7z", "m0 -4.5l4.5 8h-9z",
+                                                  "m0 -5l5 5l-5 5l-5 -5z"};
   const Eigen::Vector2d p = Pixel(at);
   body_.append("<path").append(Attribute("fill", style.colour)).append(" d=\"M").append(Px(p.x()));
   body_.append(" ").append(Px(p.y())).append(kShapes[static_cast<std::size_t>(style.marker)]);
@@ -208,9 +219,8 @@ std::string Plot::Svg() const {
   svg.append(Attribute("viewBox", "0 0 " + w + " " + h));
   if (time_) {
     // Begin and end of the axis in its unit, then the area in pixels.
-    svg.append(Attribute("data-time", TickText(x_.low) + " " + TickText(x_.high) + " " +
-                                          Px(left_) + " " + Px(width_) + " " + Px(kTop) + " " +
-                                          Px(height_)));
+    svg.append(Attribute("data-time", TickText(x_.low) + " " + TickText(x_.high) + " " + Px(left_) +
+                                          " " + Px(width_) + " " + Px(kTop) + " " + Px(height_)));
   }
   svg.append(" font-family=\"sans-serif\" font-size=\"12\" fill=\"currentColor\">\n");
   svg.append("<title>").append(EscapeXml(title_)).append("</title>\n");

@@ -72,7 +72,8 @@ Figure AblationFigure(const StudyRecord& record, const DatasetStatistics& statis
   std::stable_sort(bars.begin(), bars.end(),
                    [](const FigureBar& a, const FigureBar& b) { return a.value < b.value; });
   std::string factors;
-  for (const std::string& factor : record.factors) factors += (factors.empty() ? "" : ", ") + factor;
+  for (const std::string& factor : record.factors)
+    factors += (factors.empty() ? "" : ", ") + factor;
   const int walks = statistics.sections.front().cells.front().walks;
   return BarsFigure("ablation",
                     "Mean error with 95 % interval by subset (" + std::to_string(walks) +
@@ -131,8 +132,8 @@ std::vector<Figure> CurveFigures(const StudyRecord& record, const DatasetStatist
       if (curve.points.size() > 1) curves.push_back(curve);
     }
     if (curves.empty()) continue;
-    figures.push_back(CurveFigure("curve_" + key, key, curves,
-                                  statistics.sections.front().cells.front().walks));
+    figures.push_back(
+        CurveFigure("curve_" + key, key, curves, statistics.sections.front().cells.front().walks));
   }
   return figures;
 }
@@ -151,8 +152,12 @@ std::vector<Figure> StudyFigures(const StudyRecord& record, const DatasetResults
   for (std::size_t c = 0; c < record.cells.size(); ++c) {
     if (subsets.contains(c)) continue;
     const CellStatistics& cell = statistics.sections.front().cells[c];
-    others.push_back({record.cells[c].name, cell.walks, {}, cell.errors.mean_m,
-                   cell.mean_interval_m, std::numeric_limits<double>::quiet_NaN()});
+    others.push_back({record.cells[c].name,
+                      cell.walks,
+                      {},
+                      cell.errors.mean_m,
+                      cell.mean_interval_m,
+                      std::numeric_limits<double>::quiet_NaN()});
   }
   std::vector<Figure> figures;
   if (!record.cell_of_subset.empty()) figures.push_back(AblationFigure(record, statistics));
