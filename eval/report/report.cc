@@ -4,7 +4,10 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "eval/bootstrap.h"
 #include "eval/files.h"
@@ -14,6 +17,8 @@
 #include "eval/report/page_text.h"
 #include "eval/report/result_folder.h"
 #include "eval/suggest.h"
+#include "eval/table.h"
+#include "eval/table_files.h"
 #include "eval/usage_error.h"
 
 namespace walkgraph {
@@ -102,6 +107,41 @@ std::vector<Figure> RunFigures(const nlohmann::ordered_json& run) {
   return figures;
 }
 
+// A section of summary.json as a table.
+Table SectionTable(const std::string& name, const nlohmann::ordered_json& section, int digits) {
+  Table table({name, "walks", "n", "mean", "95% interval", "rmse", "median", "p75", "p90", "p95",
+               "max", "floor", "cover50", "cover95", "nees"});
+  const auto text = [](const nlohmann::ordered_json& value, int decimals) {
+    return value.is_null() ? "-" : FixedDecimals(value.get<double>(), decimals);
+  };
+  for (const auto& [method, row] : section.items()) {
+    const auto& interval = row.at("mean_interval_m");
+    std::vector<std::string> fields = {
+        method, std::to_string(row.at("walks").get<int>()), std::to_string(row.at("n").get<int>()),
+        text(row.at("mean_m"), digits),
+        text(interval.at(0), digits) + " .. " + text(interval.at(1), digits)};
+    for (const char* key : {"rmse_m", "median_m", "p75_m", "p90_m", "p95_m", "max_m"}) {
+      fields.push_back(text(row.at(key), digits));
+    }
+    for (const char* key : {"floor_accuracy", "coverage50", "coverage95", "nees"}) {
+      fields.push_back(text(row.at(key), 3));
+    }
+    table.AddRow(std::move(fields));
+  }
+  return table;
+}
+
+void WriteRunTables(const nlohmann::ordered_json& run, const std::string& beside) {
+  if (run.at("summary").is_null()) return;
+  TableFiles tables;
+  for (const auto& [name, section] : run.at("summary").at("sections").items()) {
+    tables.Add(SectionTable(name, section, 2), SectionTable(name, section, 4));
+  }
+  const std::string stem = beside + "/tables/" + run.at("name").get<std::string>();
+  tables.Write(stem, beside + "/tables");
+  WriteFileWhole(stem + ".json", run.at("summary").dump(1) + "\n");
+}
+
 void WritePage(const nlohmann::ordered_json& data, const std::string& out_file) {
   const std::string json =
       data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -121,6 +161,7 @@ void WriteReport(const std::vector<std::string>& result_dirs, const std::string&
   }
   const std::string beside = std::filesystem::path(out_file).replace_extension("").string();
   for (auto& run : data["runs"]) {
+    WriteRunTables(run, beside);
     run["figures"] = nlohmann::ordered_json::array();
     const std::string prefix = beside + "/figures/" + run.at("name").get<std::string>() + "_";
     for (const Figure& figure : RunFigures(run)) {

@@ -13,7 +13,7 @@ namespace walkgraph {
 // Throws InputError on a folder or file that cannot be read. Folders of several runs must have been
 // made by one version from the same inputs: UsageError names what differs, unless
 // `allow_differences`. Beside the page, in a folder of its name without extension, go the figures
-// as SVG.
+// as SVG and the tables as CSV, JSON, Markdown and LaTeX.
 void WriteReport(const std::vector<std::string>& result_dirs, const std::string& out_file,
                  bool allow_differences = false);
 

@@ -8,6 +8,7 @@
 #include "eval/evaluate.h"
 #include "eval/files.h"
 #include "eval/table.h"
+#include "eval/table_files.h"
 
 namespace walkgraph {
 namespace {
@@ -133,23 +134,6 @@ Table ContributionsTable(const DatasetStatistics& dataset, int digits) {
   return table;
 }
 
-// Accumulates a table in its three formats; several tables follow each other.
-struct TableFile {
-  std::string csv, markdown, latex;
-  void Add(const Table& table, const Table& precise) {
-    csv.append(csv.empty() ? "" : "\n").append(precise.FormatCsv());
-    markdown.append(markdown.empty() ? "" : "\n").append(table.FormatMarkdown());
-    latex.append(latex.empty() ? "" : "\n").append(table.FormatLatex());
-  }
-  void Write(const std::string& dir, const std::string& name) const {
-    const std::string path = dir + "/tables/" + name;
-    const std::string scratch = dir + "/run/unfinished";
-    WriteFileWholeVia(scratch, path + ".csv", csv);
-    WriteFileWholeVia(scratch, path + ".md", markdown);
-    WriteFileWholeVia(scratch, path + ".tex", latex);
-  }
-};
-
 constexpr int kDigits = 2, kCsvDigits = 4;
 
 }  // namespace
@@ -167,7 +151,7 @@ std::string FormatStudySummary(const StudyRecord& record,
 
 void WriteStudyTables(const std::string& dir, const StudyRecord& record,
                       const std::vector<DatasetStatistics>& statistics) {
-  TableFile cells, breakdown, contributions;
+  TableFiles cells, breakdown, contributions;
   for (const DatasetStatistics& dataset : statistics) {
     for (const StudySection& section : dataset.sections) {
       cells.Add(CellsTable(record, dataset, section, kDigits),
@@ -179,11 +163,11 @@ void WriteStudyTables(const std::string& dir, const StudyRecord& record,
     contributions.Add(ContributionsTable(dataset, kDigits),
                       ContributionsTable(dataset, kCsvDigits));
   }
-  cells.Write(dir, "cells");
-  breakdown.Write(dir, "breakdown");
-  if (!contributions.csv.empty()) contributions.Write(dir, "contributions");
-  WriteFileWholeVia(dir + "/run/unfinished", dir + "/summary.json",
-                    FormatStudySummary(record, statistics));
+  const std::string scratch = dir + "/run/unfinished";
+  cells.Write(dir + "/tables/cells", scratch);
+  breakdown.Write(dir + "/tables/breakdown", scratch);
+  if (!contributions.empty()) contributions.Write(dir + "/tables/contributions", scratch);
+  WriteFileWholeVia(scratch, dir + "/summary.json", FormatStudySummary(record, statistics));
 }
 
 int FinishStudy(const std::string& dir, const StudyRecord& record) {

@@ -46,6 +46,10 @@ TEST(Page, OfAnEvaluationSortsSlidesAndTurnsDark) {
                 .exit_code,
             0);
   ASSERT_EQ(RunWalkgraph({"report", out, "--out=" + page}).exit_code, 0);
+  const std::string beside = page.substr(0, page.rfind('.'));
+  const std::string name = out.substr(out.rfind('/') + 1);
+  EXPECT_THAT(ReadText(beside + "/tables/" + name + ".csv"), HasSubstr("\nbatch,4,34,"));
+  EXPECT_THAT(ReadText(beside + "/tables/" + name + ".tex"), HasSubstr("all\\_walks & walks"));
   const Visit visit = Open(page, R"js(
     const seen = [];
     const first = () => document.querySelector('#score-table tbody td').textContent.trim();
