@@ -62,7 +62,8 @@ void AddCourses(const std::string& dir, Json* walk) {
   const std::string id = walk->at("walk").get<std::string>();
   const auto begin_ns = walk->at("begin_ns").get<std::int64_t>();
   for (auto& [method, entry] : walk->at("methods").items()) {
-    const std::string name = id + "." + method;
+    std::string name = id;
+    name.append(".").append(method);
     Json states = StatesJson(fs::path(dir) / "states" / (name + ".csv"), begin_ns);
     if (!states.empty()) entry["states"] = std::move(states);
     const fs::path path = fs::path(dir) / "explain" / (name + ".json");

@@ -129,10 +129,15 @@ class WalkExplainer {
       const double worse =
           nats.get<double>() - hypotheses[0].at("negative_log_posterior").get<double>();
       const std::string source = h.at("source").get<std::string>();
-      Note(method + ": hypothesis from " + source +
-           (i == 0 ? ", the answer"
-                   : ", " + FixedDecimals(worse, 1) + " nats worse, " +
-                         (h.at("kept").get<bool>() ? "kept in the covariance" : "dropped")));
+      std::string text = method;
+      text.append(": hypothesis from ").append(source);
+      if (i == 0) {
+        text.append(", the answer");
+      } else {
+        text.append(", ").append(FixedDecimals(worse, 1)).append(" nats worse, ");
+        text.append(h.at("kept").get<bool>() ? "kept in the covariance" : "dropped");
+      }
+      Note(text);
     }
   }
 

@@ -51,8 +51,10 @@ StudyRecord CommonRecord(const std::vector<std::string>& dirs, bool allow_differ
     std::string difference = DifferenceOfInputs(*common, *record);
     if (difference.empty()) difference = CellsDifference(*common, *record);
     if (!difference.empty()) {
-      throw UsageError(dir + " and " + dirs.front() + " hold different studies: " + difference +
-                       "; expected one study, or --allow_differences");
+      std::string what = dir;
+      what.append(" and ").append(dirs.front()).append(" hold different studies: ");
+      what.append(difference).append("; expected one study, or --allow_differences");
+      throw UsageError(what);
     }
   }
   return *common;
@@ -212,7 +214,9 @@ std::string DescriptionHtml(const StudyRecord& record) {
   std::string text = "<p>walkgraph " + record.version + "; split by " + record.split + ", " +
                      std::to_string(record.folds) + " folds; floor " +
                      (record.floor_given ? "given" : "unknown") + "; reference " + record.reference;
-  for (const auto& [key, value] : record.base) text.append("; ").append(key + "=" + value);
+  for (const auto& [key, value] : record.base) {
+    text.append("; ").append(EscapeXml(key)).append("=").append(EscapeXml(value));
+  }
   return text.append(".</p>\n");
 }
 

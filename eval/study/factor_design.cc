@@ -100,6 +100,7 @@ std::string SubsetName(const std::vector<std::string>& factors, std::uint32_t su
 
 std::vector<std::string> SwitchableFactors() {
   std::vector<std::string> names;
+  names.reserve(kSwitches.size());
   for (const Switch& s : kSwitches) names.emplace_back(s.factor);
   return names;
 }
@@ -113,7 +114,7 @@ FactorStudy ParseFactorStudy(std::string_view text) {
   if (text == "all-subsets") return {FactorDesign::kAllSubsets, DefaultFactors()};
   if (text == "leave-one-out") return {FactorDesign::kLeaveOneOut, DefaultFactors()};
   if (text == "add-one-in") return {FactorDesign::kAddOneIn, DefaultFactors()};
-  const FactorStudy study = {FactorDesign::kAllSubsets, SplitAt(text, ',')};
+  FactorStudy study = {FactorDesign::kAllSubsets, SplitAt(text, ',')};
   CheckFactors(study.factors);
   return study;
 }

@@ -38,7 +38,7 @@ std::map<std::string, std::string> EffectiveOverrides(const std::vector<ConfigOv
 std::string ConfigurationHash(const Study& study, const StudyCell& cell) {
   std::string text = cell.method->name;
   for (const auto& [key, value] : EffectiveOverrides(study.base, cell.overrides)) {
-    text += "\n" + key + "=" + value;
+    text.append("\n").append(key).append("=").append(value);
   }
   return TextChecksum(text);
 }

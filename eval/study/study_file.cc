@@ -188,7 +188,7 @@ class StudyReader {
       for (const StudyCell& cell : cells) {
         for (const std::string& value : Words(entry.second)) {
           wider.push_back(cell);
-          wider.back().name += (cell.name.empty() ? "" : " ") + key + "=" + value;
+          wider.back().name.append(cell.name.empty() ? "" : " ").append(key).append("=" + value);
           wider.back().overrides.push_back(Override(entry.first, key, value));
         }
       }

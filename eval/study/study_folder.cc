@@ -61,15 +61,21 @@ std::string Differs(const char* what, const Value& ours, const Value& theirs) {
 // The first key at which two maps differ.
 std::string MapDifference(const char* what, const std::map<std::string, std::string>& ours,
                           const std::map<std::string, std::string>& theirs) {
+  std::string text = what;
+  text += " ";
   for (const auto& [key, value] : ours) {
     const auto found = theirs.find(key);
-    if (found == theirs.end()) return std::string(what) + " " + key + " missing";
+    if (found == theirs.end()) return text.append(key).append(" missing");
     if (found->second != value) {
-      return std::string(what) + " " + key + " is " + found->second + " instead of " + value;
+      return text.append(key)
+          .append(" is ")
+          .append(found->second)
+          .append(" instead of ")
+          .append(value);
     }
   }
   for (const auto& [key, value] : theirs) {
-    if (!ours.contains(key)) return std::string(what) + " " + key + " too many";
+    if (!ours.contains(key)) return text.append(key).append(" too many");
   }
   return "";
 }
@@ -91,7 +97,7 @@ std::string DatasetDifference(const StudyRecord& record, const StudyRecord& othe
 std::string PartName(const std::vector<ConfigOverride>& preparation) {
   std::string name;
   for (const auto& [key, value] : EffectiveOverrides({}, preparation)) {
-    name += (name.empty() ? "" : "+") + key + "=" + value;
+    name.append(name.empty() ? "" : "+").append(key).append("=").append(value);
   }
   return name.empty() ? "base" : name;
 }

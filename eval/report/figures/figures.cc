@@ -32,6 +32,7 @@ std::vector<double> SortedErrors(const FigureSeries& series) {
 
 std::vector<std::string> NamesOf(const std::vector<FigureSeries>& series) {
   std::vector<std::string> names;
+  names.reserve(series.size());
   for (const FigureSeries& s : series) names.push_back(s.name);
   return names;
 }
@@ -152,6 +153,7 @@ Figure TimeFigure(const std::vector<FigureSeries>& series) {
 
 Figure MeansFigure(const std::vector<FigureSeries>& series) {
   std::vector<FigureBar> bars;
+  bars.reserve(series.size());
   for (const FigureSeries& s : series) bars.push_back({s.name, s.mean_m, s.mean_interval_m});
   return BarsFigure("means", "Mean error with 95 % interval" + RestsOn(series), "mean error, m",
                     bars);
