@@ -73,12 +73,18 @@ Study StudyOfFlags(const CommandLine& line) {
   return study;
 }
 
+// A flag that the study file speaks of would be passed over.
+void RequireNothingDeclared() {
+  for (const char* flag : {"dataset", "factors", "methods", "folds", "split", "floor"}) {
+    if (gflags::GetCommandLineFlagInfoOrDie(flag).is_default) continue;
+    throw UsageError(std::string("--") + flag + ": expected in the file of --study, not beside it");
+  }
+}
+
 int RunAblate(const CommandLine& line) {
   RequireNoArguments(line);
   RequireFlag("out", FLAGS_out);
-  if (!FLAGS_study.empty() && !(FLAGS_dataset.empty() && FLAGS_factors.empty())) {
-    throw UsageError("--study declares data sets and factors: expected it alone");
-  }
+  if (!FLAGS_study.empty()) RequireNothingDeclared();
   const Study study =
       FLAGS_study.empty() ? StudyOfFlags(line) : ReadStudyFile(FLAGS_study, ReadOverrides(line));
   const Shard shard = ParseShard(FLAGS_shard);

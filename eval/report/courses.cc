@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "eval/report/result_text.h"
+#include "eval/split.h"
 
 namespace walkgraph {
 namespace {

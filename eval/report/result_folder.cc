@@ -16,6 +16,7 @@
 #include "data/input_error.h"
 #include "eval/report/courses.h"
 #include "eval/report/result_text.h"
+#include "eval/split.h"
 
 namespace walkgraph {
 namespace {

@@ -24,16 +24,6 @@ Json ParseJson(const fs::path& path, const std::string& text) {
   return json;
 }
 
-std::vector<std::string_view> Split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
-
 Json Rounded(double value, double unit) {
   if (!std::isfinite(value)) return nullptr;
   return std::round(value / unit) * unit;

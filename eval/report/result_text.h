@@ -21,8 +21,6 @@ std::optional<std::string> ReadIfThere(const std::filesystem::path& path);
 // Throws InputError with the path where the text is not JSON.
 nlohmann::ordered_json ParseJson(const std::filesystem::path& path, const std::string& text);
 
-std::vector<std::string_view> Split(std::string_view text, char separator);
-
 // Whether the whole text is a number; it goes to `number`.
 template <typename Number>
 bool ParseWhole(std::string_view text, Number& number) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 
+#include "eval/split.h"
 #include "eval/suggest.h"
 #include "eval/usage_error.h"
 
@@ -35,23 +36,13 @@ constexpr std::array<Switch, 14> kSwitches = {{
     {"barometric_offset", "factors.barometric_offset.mode=absent"},
 }};
 
-std::vector<std::string> SplitAt(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  while (true) {
-    const std::size_t at = text.find(separator);
-    parts.emplace_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
-
 // Precondition: a factor that CheckFactors knows.
 std::vector<ConfigOverride> SwitchedOff(const std::string& factor) {
   const auto* found = std::find_if(kSwitches.begin(), kSwitches.end(),
                                    [&](const Switch& s) { return s.factor == factor; });
   std::vector<ConfigOverride> overrides;
-  for (const std::string& assignment : SplitAt(found->off, ' ')) {
-    overrides.push_back(ParseSetFlag(assignment));
+  for (const std::string_view assignment : Split(found->off, ' ')) {
+    overrides.push_back(ParseSetFlag(std::string(assignment)));
   }
   return overrides;
 }
@@ -114,7 +105,8 @@ FactorStudy ParseFactorStudy(std::string_view text) {
   if (text == "all-subsets") return {FactorDesign::kAllSubsets, DefaultFactors()};
   if (text == "leave-one-out") return {FactorDesign::kLeaveOneOut, DefaultFactors()};
   if (text == "add-one-in") return {FactorDesign::kAddOneIn, DefaultFactors()};
-  FactorStudy study = {FactorDesign::kAllSubsets, SplitAt(text, ',')};
+  FactorStudy study;
+  for (const std::string_view factor : Split(text, ',')) study.factors.emplace_back(factor);
   CheckFactors(study.factors);
   return study;
 }

@@ -32,15 +32,6 @@ std::vector<StudyWaypoint> DescribeWaypoints(const Truth& truth, const Evidence&
   return described;
 }
 
-const CellResult* Find(const WalkCells* earlier, const FoldCell& cell) {
-  if (earlier == nullptr) return nullptr;
-  const auto found =
-      std::find_if(earlier->cells.begin(), earlier->cells.end(), [&](const CellResult& result) {
-        return result.cell == cell.name && result.configuration == cell.configuration;
-      });
-  return found == earlier->cells.end() ? nullptr : &*found;
-}
-
 // `evidence` is the walk's, aligned to the site.
 CellResult RunCell(const FoldCell& cell, const Site& site, const LoadedWalk& walk,
                    const Evidence& evidence) {
@@ -89,7 +80,9 @@ CellsRun RunCells(const std::vector<FoldCell>& cells, const Site& site, const Lo
   run.walk.waypoints = DescribeWaypoints(walk.truth, evidence);
   run.walk.centroid_errors = CentroidErrors(site, walk);
   for (const FoldCell& cell : cells) {
-    if (const CellResult* known = Find(earlier, cell)) {
+    const CellResult* known =
+        earlier == nullptr ? nullptr : FindCell(*earlier, cell.name, cell.configuration);
+    if (known != nullptr) {
       run.walk.cells.push_back(*known);
       continue;
     }

@@ -33,7 +33,7 @@ struct Part {
   std::string name;
   std::vector<ConfigOverride> overrides;  // the study's own and the preparation's
   std::vector<std::size_t> cells;         // of the study
-  std::vector<const StudyCellName*> names;
+  std::vector<const StudyCellRecord*> names;
 };
 
 // Computes what one part lacks, on the walks of one shard.

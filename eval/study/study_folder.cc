@@ -2,7 +2,6 @@
 
 #include <glog/logging.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -130,7 +129,7 @@ std::string FormatStudyRecord(const StudyRecord& record) {
   for (const StudyDatasetRecord& dataset : record.datasets) {
     json["datasets"].push_back({{"name", dataset.name}, {"checksums", dataset.checksums}});
   }
-  for (const StudyCellName& cell : record.cells) {
+  for (const StudyCellRecord& cell : record.cells) {
     json["cells"].push_back({{"name", cell.name},
                              {"method", cell.method},
                              {"overrides", cell.overrides},
@@ -167,6 +166,13 @@ std::string DifferenceOfInputs(const StudyRecord& record, const StudyRecord& oth
   return difference;
 }
 
+std::size_t ReferenceCell(const StudyRecord& record) {
+  for (std::size_t c = 0; c < record.cells.size(); ++c) {
+    if (record.cells[c].name == record.reference) return c;
+  }
+  return 0;
+}
+
 std::string WalkCellsPath(const std::string& dir, const std::string& dataset,
                           const std::string& part, const std::string& walk) {
   return dir + "/cells/" + dataset + "/" + part + "/" + walk + ".json";
@@ -181,15 +187,12 @@ std::optional<WalkCells> ReadWalkCells(const std::string& path) {
 }
 
 std::optional<WalkCells> SelectCells(const WalkCells& walk,
-                                     const std::vector<const StudyCellName*>& cells) {
+                                     const std::vector<const StudyCellRecord*>& cells) {
   WalkCells selected = walk;
   selected.cells.clear();
-  for (const StudyCellName* cell : cells) {
-    const auto found =
-        std::find_if(walk.cells.begin(), walk.cells.end(), [&](const CellResult& result) {
-          return result.cell == cell->name && result.configuration == cell->configuration;
-        });
-    if (found == walk.cells.end()) return std::nullopt;
+  for (const StudyCellRecord* cell : cells) {
+    const CellResult* found = FindCell(walk, cell->name, cell->configuration);
+    if (found == nullptr) return std::nullopt;
     selected.cells.push_back(*found);
   }
   return selected;

@@ -19,8 +19,8 @@ namespace walkgraph {
 //   run/                                log, command, machine, timings; unfinished files
 // Several processes may write the same folder, each its own walks.
 
-// study.json without what only scripts need: enough to summarise, merge and refuse.
-struct StudyCellName {
+// A cell as study.json tells of it.
+struct StudyCellRecord {
   std::string name;
   std::string method;
   std::map<std::string, std::string> overrides;
@@ -33,6 +33,7 @@ struct StudyDatasetRecord {
   std::map<std::string, std::string> checksums;  // by walk
 };
 
+// study.json: enough to summarise results, merge them and refuse what does not belong to them.
 struct StudyRecord {
   std::string version;
   std::string split;
@@ -40,7 +41,7 @@ struct StudyRecord {
   bool floor_given = true;
   std::map<std::string, std::string> base;
   std::vector<StudyDatasetRecord> datasets;
-  std::vector<StudyCellName> cells;
+  std::vector<StudyCellRecord> cells;
   std::string reference;
   std::vector<std::string> factors;
   std::map<std::uint32_t, std::size_t> cell_of_subset;
@@ -61,6 +62,9 @@ std::optional<StudyRecord> ReadStudyRecord(const std::string& dir);
 // where nothing does. Cells may differ: each carries its own configuration.
 std::string DifferenceOfInputs(const StudyRecord& record, const StudyRecord& other);
 
+// Index of the cell that the others are compared with.
+std::size_t ReferenceCell(const StudyRecord& record);
+
 std::string WalkCellsPath(const std::string& dir, const std::string& dataset,
                           const std::string& part, const std::string& walk);
 
@@ -70,7 +74,7 @@ std::optional<WalkCells> ReadWalkCells(const std::string& path);
 // The part of `walk` that answers `cells` (all of one part), in their order; nullopt where one is
 // missing or was made by another configuration.
 std::optional<WalkCells> SelectCells(const WalkCells& walk,
-                                     const std::vector<const StudyCellName*>& cells);
+                                     const std::vector<const StudyCellRecord*>& cells);
 
 }  // namespace walkgraph
 

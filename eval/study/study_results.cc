@@ -7,17 +7,17 @@
 namespace walkgraph {
 namespace {
 
-using Parts = std::map<std::string, std::vector<const StudyCellName*>>;
+using Parts = std::map<std::string, std::vector<const StudyCellRecord*>>;
 
 Parts PartsOf(const StudyRecord& record) {
   Parts parts;
-  for (const StudyCellName& cell : record.cells) parts[cell.part].push_back(&cell);
+  for (const StudyCellRecord& cell : record.cells) parts[cell.part].push_back(&cell);
   return parts;
 }
 
 std::optional<WalkCells> ReadPart(const std::vector<std::string>& dirs, const std::string& dataset,
                                   const std::string& part, const std::string& walk,
-                                  const std::vector<const StudyCellName*>& cells) {
+                                  const std::vector<const StudyCellRecord*>& cells) {
   for (const std::string& dir : dirs) {
     const auto known = ReadWalkCells(WalkCellsPath(dir, dataset, part, walk));
     if (!known) continue;
@@ -41,7 +41,7 @@ std::optional<WalkCells> ReadWalk(const std::vector<std::string>& dirs, const St
   }
   if (!whole) return std::nullopt;
   whole->cells.clear();
-  for (const StudyCellName& cell : record.cells) whole->cells.push_back(results.at(cell.name));
+  for (const StudyCellRecord& cell : record.cells) whole->cells.push_back(results.at(cell.name));
   return whole;
 }
 

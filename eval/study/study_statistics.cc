@@ -117,14 +117,6 @@ std::vector<std::map<std::string, int>> CountStatus(const std::vector<WalkCells>
   return counts;
 }
 
-std::size_t ReferenceOf(const StudyRecord& record) {
-  std::size_t reference = 0;
-  for (std::size_t c = 0; c < record.cells.size(); ++c) {
-    if (record.cells[c].name == record.reference) reference = c;
-  }
-  return reference;
-}
-
 DatasetStatistics StatisticsOf(const DatasetResults& dataset, const StudyRecord& record) {
   Walks all, covered, placed;
   for (const WalkCells& walk : dataset.walks) {
@@ -133,7 +125,7 @@ DatasetStatistics StatisticsOf(const DatasetResults& dataset, const StudyRecord&
     if (walk.survey_distance_m < kCoveredDistanceM) covered.push_back(&walk);
     if (AllPlaced(walk)) placed.push_back(&walk);
   }
-  const std::size_t cells = record.cells.size(), reference = ReferenceOf(record);
+  const std::size_t cells = record.cells.size(), reference = ReferenceCell(record);
   return {
       dataset.name,
       {MakeSection("all", all, cells, reference), MakeSection("covered", covered, cells, reference),

@@ -100,6 +100,14 @@ constexpr std::size_t kChecksumDigits = 16;
 
 }  // namespace
 
+const CellResult* FindCell(const WalkCells& walk, const std::string& cell,
+                           const std::string& configuration) {
+  for (const CellResult& result : walk.cells) {
+    if (result.cell == cell && result.configuration == configuration) return &result;
+  }
+  return nullptr;
+}
+
 std::string FormatWalkCells(const WalkCells& walk) {
   const Json head = {
       {"walk", walk.walk},

@@ -44,6 +44,10 @@ struct WalkCells {
   std::vector<CellResult> cells;
 };
 
+// The result of a cell in one configuration; null where the walk has none.
+const CellResult* FindCell(const WalkCells& walk, const std::string& cell,
+                           const std::string& configuration);
+
 // JSON, one line per cell, with a checksum of its own. Numbers read back to the same bits.
 std::string FormatWalkCells(const WalkCells& walk);
 

@@ -166,6 +166,17 @@ TEST(Ablate, AStudyFileIsCheckedWithItsLine) {
   EXPECT_THAT(Output("methods: [wknn]\nreference: batch\n"), HasSubstr("expected one of"));
 }
 
+TEST(Ablate, WhatAStudyFileDeclaresIsNoFlagBesideIt) {
+  const std::string study = FreshPath("study.yaml"), out = FreshPath("out");
+  std::ofstream(study) << "datasets: [" + kDataset + "]\nmethods: [wknn]\n";
+  for (const char* flag : {"--folds=3", "--split=trial", "--floor=unknown", "--methods=nn"}) {
+    const ProgramResult result = RunWalkgraph({"ablate", "--study=" + study, "--out=" + out, flag});
+    EXPECT_EQ(result.exit_code, 2) << flag;
+    EXPECT_THAT(result.output, HasSubstr("not beside it")) << flag;
+  }
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(Ablate, AGridIsEveryCombinationAndANewMapIsTrainedWhereItMatters) {
   const std::string study = FreshPath("study.yaml"), out = FreshPath("out");
   std::ofstream(study) << "datasets: {s: " << kDataset << "}\nfolds: 2\nmethods: [wknn]\ngrids:\n"

@@ -19,9 +19,7 @@ std::vector<std::size_t> CellsToDraw(const StudyRecord& record) {
     if (order.size() < kMostSeries && taken.insert(cell).second) order.push_back(cell);
   };
   if (record.cells.size() > kMostSeries) {
-    for (std::size_t c = 0; c < record.cells.size(); ++c) {
-      if (record.cells[c].name == record.reference) take(c);
-    }
+    take(ReferenceCell(record));
     for (const auto& [subset, cell] : record.cell_of_subset) {
       if (static_cast<std::size_t>(std::popcount(subset)) + 1 == record.factors.size()) take(cell);
     }
@@ -95,10 +93,7 @@ Figure ContributionsFigure(const DatasetStatistics& statistics) {
 
 // The reference's mean error by distance walked, floor, phone and the other classes.
 Figure BreakdownFigure(const StudyRecord& record, const DatasetStatistics& statistics) {
-  std::size_t reference = 0;
-  for (std::size_t c = 0; c < record.cells.size(); ++c) {
-    if (record.cells[c].name == record.reference) reference = c;
-  }
+  const std::size_t reference = ReferenceCell(record);
   std::vector<FigureBar> bars;
   for (const BreakdownRow& row : statistics.breakdown) {
     bars.push_back({row.by + ": " + row.value + " (" + std::to_string(row.walks) + " walks)",
@@ -112,7 +107,7 @@ Figure BreakdownFigure(const StudyRecord& record, const DatasetStatistics& stati
 std::vector<Figure> CurveFigures(const StudyRecord& record, const DatasetStatistics& statistics) {
   std::map<std::string, std::map<std::string, FigureCurve>> by_key;  // by key, then method
   for (std::size_t c = 0; c < record.cells.size(); ++c) {
-    const StudyCellName& cell = record.cells[c];
+    const StudyCellRecord& cell = record.cells[c];
     if (cell.overrides.size() != 1) continue;
     const auto& [key, text] = *cell.overrides.begin();
     double value = 0;
