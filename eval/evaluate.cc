@@ -45,7 +45,7 @@ class EvaluationRun {
     LogToRunFolder(options_.out + "/run");
     WriteRunDescription(options_.out + "/run", options_.command_line, options_.workers);
     Load();
-    AssignFolds();
+    PlanFolds();
     Estimate();
     return Finish();
   }
@@ -81,23 +81,20 @@ class EvaluationRun {
     }
   }
 
-  void AssignFolds() {
+  void PlanFolds() {
     for (const Method* method : options_.methods) evaluation_.methods.push_back(method->name);
     walk_options_ = {options_.out, evaluation_.methods, options_.tum,
                      run_.settings.scoring.waypoint_sigma_m};
     evaluation_.walks.resize(test_count_);
-    std::vector<WalkToSplit> to_split;
-    for (std::size_t i = 0; i < test_count_; ++i) {
-      const LoadedWalk& walk = walks_[i];
-      to_split.push_back({files_[i].id, files_[i].trial, walk.evidence.device, &walk.truth});
-    }
-    const std::vector<std::string> groups = GroupWalks(to_split, options_.split);
+    std::vector<const LoadedWalk*> tested;
+    for (std::size_t i = 0; i < test_count_; ++i) tested.push_back(&walks_[i]);
+    const std::vector<int> folds = AssignFolds(tested, options_.split, options_.folds);
     const bool two = options_.dataset.empty();
     walks_of_fold_.resize(two ? 1 : static_cast<std::size_t>(options_.folds));
     run_.calibrated.resize(walks_of_fold_.size());
     for (std::size_t i = 0; i < test_count_; ++i) {
       evaluation_.walks[i].walk = files_[i].id;
-      evaluation_.walks[i].fold = two ? 0 : FoldOfGroup(groups[i], options_.folds);
+      evaluation_.walks[i].fold = two ? 0 : folds[i];
       walks_of_fold_[static_cast<std::size_t>(evaluation_.walks[i].fold)].push_back(i);
     }
   }

@@ -35,6 +35,19 @@ std::vector<SurveyWalk> PlaceSurvey(const Building& building,
 
 }  // namespace
 
+std::vector<int> AssignFolds(const std::vector<const LoadedWalk*>& walks, SplitBy split,
+                             int folds) {
+  std::vector<WalkToSplit> to_split;
+  for (const LoadedWalk* walk : walks) {
+    to_split.push_back({walk->file.id, walk->file.trial, walk->evidence.device, &walk->truth});
+  }
+  std::vector<int> fold_of_walk;
+  for (const std::string& group : GroupWalks(to_split, split)) {
+    fold_of_walk.push_back(FoldOfGroup(group, folds));
+  }
+  return fold_of_walk;
+}
+
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
                  const std::vector<ConfigOverride>& overrides) {

@@ -4,11 +4,15 @@
 #include <vector>
 
 #include "eval/config.h"
+#include "eval/cross_validation.h"
 #include "eval/loaded_walk.h"
 #include "eval/settings.h"
 #include "frontends/radio_map/site.h"
 
 namespace walkgraph {
+
+// The fold that holds each walk out (see GroupWalks and FoldOfGroup). Precondition: folds > 0.
+std::vector<int> AssignFolds(const std::vector<const LoadedWalk*>& walks, SplitBy split, int folds);
 
 // What is learnt from the training walks of one fold: none of it has seen a test walk.
 struct Fold {

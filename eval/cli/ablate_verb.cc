@@ -8,8 +8,6 @@
 #include "verbs.h"
 
 DECLARE_string(methods);
-DECLARE_int32(folds);
-DECLARE_string(split);
 DEFINE_string(study, "", "YAML file that declares a study");
 DEFINE_string(factors, "",
               "factors whose subsets are compared: all-subsets, leave-one-out or add-one-in of the "
@@ -42,15 +40,10 @@ Shard ParseShard(const std::string& text) {
 // The common case: one data set, methods or one method's factors.
 Study StudyOfFlags(const CommandLine& line) {
   RequireFlag("dataset", FLAGS_dataset);
-  if (FLAGS_folds < 2) throw UsageError("--folds: expected at least 2");
-  const std::optional<SplitBy> split = SplitByName(FLAGS_split);
-  if (!split) {
-    throw UsageError("--split=" + FLAGS_split + ": expected walk, session, trial, phone or block");
-  }
   Study study;
   study.datasets = {{DatasetNameOf(FLAGS_dataset), FLAGS_dataset}};
-  study.folds = FLAGS_folds;
-  study.split = *split;
+  study.folds = Folds();
+  study.split = SplitOfFlags();
   study.split_name = FLAGS_split;
   study.floor_given = FloorGiven();
   study.base = ReadOverrides(line);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <optional>
 #include <thread>
 
 #include "eval/usage_error.h"
@@ -10,6 +11,8 @@ DEFINE_string(config, "", "YAML file with settings; `walkgraph config` prints th
 DEFINE_string(set, "", "one setting, KEY=VALUE; may be given several times, wins over --config");
 DEFINE_string(dataset, "", "folder of recorded walks, of any known format");
 DEFINE_string(floor, "given", "whether methods are told the floor: given or unknown");
+DEFINE_int32(folds, 5, "parts of the cross-validation");
+DEFINE_string(split, "walk", "what stays together: walk, session, trial, phone or block");
 DEFINE_bool(tum, false, "write trajectories in TUM format too");
 DEFINE_string(out, "", "where results go");
 DEFINE_string(lag, "", "0 makes `window` report each pose at once instead of when it leaves");
@@ -57,6 +60,17 @@ bool FloorGiven() {
     throw UsageError("--floor=" + FLAGS_floor + ": expected given or unknown");
   }
   return FLAGS_floor == "given";
+}
+
+SplitBy SplitOfFlags() {
+  const std::optional<SplitBy> split = SplitByName(FLAGS_split);
+  if (split) return *split;
+  throw UsageError("--split=" + FLAGS_split + ": expected walk, session, trial, phone or block");
+}
+
+int Folds() {
+  if (FLAGS_folds < 2) throw UsageError("--folds: expected at least 2");
+  return FLAGS_folds;
 }
 
 void RequireFlag(const char* name, const std::string& value) {

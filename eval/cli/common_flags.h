@@ -8,11 +8,14 @@
 
 #include "command_line.h"
 #include "eval/config.h"
+#include "eval/cross_validation.h"
 
 // Flags that several verbs share.
 DECLARE_string(config);
 DECLARE_string(dataset);
 DECLARE_string(floor);
+DECLARE_string(split);
+DECLARE_int32(folds);
 DECLARE_bool(tum);
 DECLARE_string(out);
 DECLARE_int32(workers);
@@ -30,6 +33,10 @@ int Workers();
 
 // Whether --floor is `given`; UsageError unless it is `given` or `unknown`.
 bool FloorGiven();
+
+// --split and --folds; UsageError for a split that is unknown or fewer than two folds.
+SplitBy SplitOfFlags();
+int Folds();
 
 // Throws UsageError unless a flag that the verb cannot do without has been set.
 void RequireFlag(const char* name, const std::string& value);

@@ -9,8 +9,6 @@ DEFINE_string(test, "",
               "folder of walks to test on, in place of --dataset; for simulate the number of test "
               "walks");
 DEFINE_string(methods, "", "comma-separated names; `walkgraph methods` lists them");
-DEFINE_int32(folds, 5, "parts of the cross-validation");
-DEFINE_string(split, "walk", "what stays together: walk, session, trial, phone or block");
 
 namespace walkgraph {
 namespace {
@@ -28,18 +26,13 @@ int RunEvaluate(const CommandLine& line) {
   CheckDatasets();
   RequireFlag("methods", FLAGS_methods);
   RequireFlag("out", FLAGS_out);
-  const std::optional<SplitBy> split = SplitByName(FLAGS_split);
-  if (!split) {
-    throw UsageError("--split=" + FLAGS_split + ": expected walk, session, trial, phone or block");
-  }
-  if (FLAGS_folds < 2) throw UsageError("--folds: expected at least 2");
   const EvaluateOptions options = {.dataset = FLAGS_dataset,
                                    .train = FLAGS_train,
                                    .test = FLAGS_test,
                                    .out = FLAGS_out,
                                    .methods = ParseMethods(FLAGS_methods),
-                                   .folds = FLAGS_folds,
-                                   .split = *split,
+                                   .folds = Folds(),
+                                   .split = SplitOfFlags(),
                                    .split_name = FLAGS_split,
                                    .floor_given = FloorGiven(),
                                    .tum = FLAGS_tum,

@@ -56,7 +56,7 @@ class PartRun {
 
   void Run() {
     Load();
-    AssignFolds();
+    PlanFolds();
     if (missing_ == 0 || options_.stopped()) return;
     const std::string what = "walks of " + study_.datasets[part_.dataset].name +
                              (part_.name == "base" ? "" : " (" + part_.name + ")");
@@ -100,16 +100,13 @@ class PartRun {
     }
   }
 
-  void AssignFolds() {
-    std::vector<WalkToSplit> to_split;
-    for (const LoadedWalk& walk : walks_) {
-      to_split.push_back({walk.file.id, walk.file.trial, walk.evidence.device, &walk.truth});
-    }
-    const std::vector<std::string> groups = GroupWalks(to_split, study_.split);
+  void PlanFolds() {
+    std::vector<const LoadedWalk*> all;
+    for (const LoadedWalk& walk : walks_) all.push_back(&walk);
+    fold_of_walk_ = AssignFolds(all, study_.split, study_.folds);
     walks_of_fold_.resize(static_cast<std::size_t>(study_.folds));
     for (std::size_t i = 0; i < walks_.size(); ++i) {
-      fold_of_walk_.push_back(FoldOfGroup(groups[i], study_.folds));
-      walks_of_fold_[static_cast<std::size_t>(fold_of_walk_.back())].push_back(i);
+      walks_of_fold_[static_cast<std::size_t>(fold_of_walk_[i])].push_back(i);
     }
     FindMissing();
   }
