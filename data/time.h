@@ -1,7 +1,10 @@
 #ifndef WALKGRAPH_DATA_TIME_H_
 #define WALKGRAPH_DATA_TIME_H_
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace walkgraph {
 
@@ -21,6 +24,16 @@ inline double SecondsBetween(TimeNs begin, TimeNs end) {
 inline TimeNs DurationNs(double seconds) {
   const double ns = seconds * 1e9;
   return static_cast<TimeNs>(ns < 0 ? ns - 0.5 : ns + 0.5);
+}
+
+// Index of the time nearest to `time_ns`, of two equally near the earlier. Precondition: `times` is
+// sorted and not empty.
+inline std::size_t NearestTime(std::span<const TimeNs> times, TimeNs time_ns) {
+  const auto after = std::lower_bound(times.begin(), times.end(), time_ns);
+  const auto i = static_cast<std::size_t>(after - times.begin());
+  if (i == 0) return 0;
+  if (i == times.size()) return i - 1;
+  return time_ns - times[i - 1] <= times[i] - time_ns ? i - 1 : i;
 }
 
 }  // namespace walkgraph

@@ -7,6 +7,7 @@
 #include "eval/suggest.h"
 #include "eval/usage_error.h"
 #include "solvers/baselines/ahf/ahf.h"
+#include "solvers/baselines/dsff/dsff.h"
 #include "solvers/baselines/tcpf/tcpf.h"
 #include "solvers/baselines/viterbi.h"
 #include "solvers/batch_smoother.h"
@@ -108,6 +109,16 @@ std::vector<Method> AhfMethods() {
   return methods;
 }
 
+std::vector<Method> DsffMethods() {
+  std::vector<Method> methods;
+  for (const DsffMethod& method : kDsffMethods) {
+    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+      return Own(DsffEstimator(method, s.baselines.dsff, s.baselines.wknn, s.factors));
+    }));
+  }
+  return methods;
+}
+
 // Our own: the lattice, the window, the whole walk.
 std::vector<Method> GraphMethods() {
   return {
@@ -128,7 +139,7 @@ std::vector<Method> GraphMethods() {
 const std::vector<Method>& Methods() {
   static const std::vector<Method>* const kMethods = [] {
     auto* methods = new std::vector<Method>;
-    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), GraphMethods()}) {
+    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), DsffMethods(), GraphMethods()}) {
       methods->insert(methods->end(), group.begin(), group.end());
     }
     return methods;

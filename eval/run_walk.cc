@@ -12,6 +12,7 @@
 #include "eval/result_files.h"
 #include "eval/survey_distance.h"
 #include "frontends/radio_map/reading_lag.h"
+#include "frontends/radio_map/survey_positions.h"
 
 namespace walkgraph {
 namespace {
@@ -32,7 +33,7 @@ MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estim
     return outcome;
   }
   const Clock::time_point begin = Clock::now();
-  const EstimateResult result = RunMethod(estimator, site, evidence);
+  const EstimateResult result = RunMethod(estimator, site, evidence, walk.truth);
   outcome.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   outcome.status = result.status;
   outcome.messages = result.messages;
@@ -56,10 +57,13 @@ std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& wa
   return ErrorsOfFixedPoint(centroid, floor, walk.truth);
 }
 
-EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence) {
+EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence,
+                         const Truth& truth) {
   EstimateResult result;
   try {
-    result = estimator.Estimate(site, evidence);
+    result = estimator.uses_truth()
+                 ? estimator.EstimateKnowing(SurveyTrajectory(truth, evidence), site, evidence)
+                 : estimator.Estimate(site, evidence);
   } catch (const std::exception& error) {
     result = EstimateResult();
     result.status = EstimateStatus::kDiverged;

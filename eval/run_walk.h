@@ -31,8 +31,10 @@ WalkOutcome RunWalk(const WalkRunOptions& options, const Site& site,
 std::vector<WaypointError> CentroidErrors(const Site& site, const LoadedWalk& walk);
 
 // One method on one walk, whose readings are aligned to the site. An exception or a pose that is
-// not finite becomes status `diverged` without a trajectory.
-EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence);
+// not finite becomes status `diverged` without a trajectory. `truth` (building frame) is shown to
+// methods alone that ask for it.
+EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evidence& evidence,
+                         const Truth& truth);
 
 }  // namespace walkgraph
 

@@ -9,6 +9,7 @@
 #include "solvers/baselines/ahf/filters.h"
 #include "solvers/baselines/dead_reckoning.h"
 #include "solvers/baselines/discrete_smoother.h"
+#include "solvers/baselines/dsff/tracker.h"
 #include "solvers/baselines/hipe.h"
 #include "solvers/baselines/mle.h"
 #include "solvers/baselines/tcpf/fusion.h"
@@ -50,6 +51,7 @@ struct BaselineSettings {
   HipeSettings hipe;
   TcpfSettings tcpf;
   AhfSettings ahf;
+  DsffSettings dsff;
   DiscreteSettings viterbi;
 };
 
@@ -61,6 +63,7 @@ void Visit(Visitor& v, BaselineSettings& s) {
   v.Group("hipe", s.hipe);
   v.Group("tcpf", s.tcpf);
   v.Group("ahf", s.ahf);
+  v.Group("dsff", s.dsff);
   v.Group("viterbi", s.viterbi);
 }
 

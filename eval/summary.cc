@@ -14,9 +14,30 @@ namespace {
 // Errors of the methods on one walk's selected waypoints: [method][waypoint].
 using WalkErrors = std::vector<std::vector<WaypointError>>;
 
-bool HasAllTrajectories(const WalkOutcome& walk) {
-  return std::all_of(walk.methods.begin(), walk.methods.end(),
-                     [](const MethodOutcome& method) { return method.has_trajectory; });
+// The methods that placed any walk at all. One that could not (no sensor of its kind anywhere) has
+// nothing to compare, and must not empty the pool of everybody else.
+std::vector<std::size_t> MethodsThatRan(const Evaluation& evaluation) {
+  std::vector<std::size_t> ran;
+  for (std::size_t m = 0; m < evaluation.methods.size(); ++m) {
+    if (std::any_of(evaluation.walks.begin(), evaluation.walks.end(), [m](const WalkOutcome& walk) {
+          return walk.finished && walk.methods[m].has_trajectory;
+        })) {
+      ran.push_back(m);
+    }
+  }
+  return ran;
+}
+
+bool HaveTrajectories(const WalkOutcome& walk, const std::vector<std::size_t>& methods) {
+  return std::all_of(methods.begin(), methods.end(),
+                     [&](std::size_t m) { return walk.methods[m].has_trajectory; });
+}
+
+template <typename T>
+std::vector<T> Select(const std::vector<T>& values, const std::vector<std::size_t>& indices) {
+  std::vector<T> selected;
+  for (const std::size_t i : indices) selected.push_back(values[i]);
+  return selected;
 }
 
 WalkErrors ErrorsOf(const WalkOutcome& walk) {
@@ -84,25 +105,27 @@ SummarySection MakeSection(const std::string& name, const std::vector<std::strin
 
 std::vector<SummarySection> SummariseEvaluation(const Evaluation& evaluation,
                                                 const std::map<int, std::string>& floor_names) {
+  const std::vector<std::size_t> ran = MethodsThatRan(evaluation);
+  const std::vector<std::string> methods = Select(evaluation.methods, ran);
   std::vector<WalkErrors> pooled, covered, all;
   std::set<int> floors;
   for (const WalkOutcome& walk : evaluation.walks) {
     if (!walk.finished || walk.truth.waypoints.empty()) continue;
     all.push_back(ErrorsOf(walk));
-    if (!HasAllTrajectories(walk)) continue;
-    pooled.push_back(all.back());
-    if (walk.survey_distance_m < kCoveredDistanceM) covered.push_back(all.back());
+    if (ran.empty() || !HaveTrajectories(walk, ran)) continue;
+    pooled.push_back(Select(all.back(), ran));
+    if (walk.survey_distance_m < kCoveredDistanceM) covered.push_back(pooled.back());
     for (const Waypoint& waypoint : walk.truth.waypoints) floors.insert(waypoint.floor);
   }
-  std::vector<SummarySection> sections = {MakeSection("pooled", evaluation.methods, pooled),
-                                          MakeSection("covered", evaluation.methods, covered)};
+  std::vector<SummarySection> sections = {MakeSection("pooled", methods, pooled),
+                                          MakeSection("covered", methods, covered)};
   for (const int floor : floors) {
     std::vector<WalkErrors> on_floor;
     for (const WalkErrors& walk : pooled) on_floor.push_back(OnFloor(walk, floor));
     const auto name = floor_names.find(floor);
     sections.push_back(
         MakeSection("floor " + (name == floor_names.end() ? std::to_string(floor) : name->second),
-                    evaluation.methods, on_floor));
+                    methods, on_floor));
   }
   sections.push_back(MakeSection("all_walks", evaluation.methods, all));
   return sections;

@@ -35,7 +35,7 @@ struct SummarySection {
 };
 
 // The sections, each over waypoints (not over walks' means):
-//   pooled     walks on which every method gave a trajectory
+//   pooled     walks on which every method that ran at all gave a trajectory
 //   covered    of those, the walks nearer than 3 m to the survey
 //   floor X    of those, the waypoints on one floor (floors by increasing number)
 //   all_walks  every walk with waypoints, a missing output scored at the survey's centroid

@@ -79,6 +79,15 @@ class Estimator {
   virtual std::string_view name() const = 0;
   // Never throws on poor evidence: that is what the status is for.
   virtual EstimateResult Estimate(const Site& site, const Evidence& evidence) const = 0;
+
+  // Methods that ask what a perfect sensor would be worth: they are told where the walk went and
+  // are no competitors. Everybody else is never shown it.
+  virtual bool uses_truth() const { return false; }
+  // Such a method on a walk of known positions (building axes; empty where none are known).
+  virtual EstimateResult EstimateKnowing(const Trajectory& /*truth*/, const Site& site,
+                                         const Evidence& evidence) const {
+    return Estimate(site, evidence);
+  }
 };
 
 }  // namespace walkgraph

@@ -43,7 +43,7 @@ CellResult RunCell(const FoldCell& cell, const Site& site, const LoadedWalk& wal
     result.messages = {walk.error};
     return result;
   }
-  const EstimateResult estimate = RunMethod(*cell.estimator, site, evidence);
+  const EstimateResult estimate = RunMethod(*cell.estimator, site, evidence, walk.truth);
   result.status = estimate.status;
   result.messages = estimate.messages;
   if (!estimate.trajectory.empty() && estimate.status != EstimateStatus::kUnobservable) {

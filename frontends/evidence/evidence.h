@@ -101,6 +101,23 @@ inline double Interpolate(const Stream<double>& stream, TimeNs time_ns) {
   return stream.value[i - 1] + fraction * (stream.value[i] - stream.value[i - 1]);
 }
 
+// The mean field of the samples within [begin, end); none where there is no sample.
+inline std::optional<MagneticSample> MeanField(const Stream<MagneticSample>& field, TimeNs begin_ns,
+                                               TimeNs end_ns) {
+  const auto first =
+      std::lower_bound(field.time_ns.begin(), field.time_ns.end(), begin_ns) -
+      field.time_ns.begin();
+  MagneticSample sum;
+  std::size_t i = static_cast<std::size_t>(first);
+  for (; i < field.size() && field.time_ns[i] < end_ns; ++i) {
+    sum.norm_ut += field.value[i].norm_ut;
+    sum.inclination_rad += field.value[i].inclination_rad;
+  }
+  const auto count = static_cast<double>(i - static_cast<std::size_t>(first));
+  if (count == 0) return std::nullopt;
+  return MagneticSample{sum.norm_ut / count, sum.inclination_rad / count};
+}
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_FRONTENDS_EVIDENCE_EVIDENCE_H_

@@ -40,6 +40,14 @@ struct SurveyScan {
   std::vector<SurveyReading> readings;
 };
 
+// The magnetic field of half a second of a survey walk, where the person was then.
+struct SurveyMagnetic {
+  Eigen::Vector2f position_m = Eigen::Vector2f::Zero();
+  int floor = 0;
+  float norm_ut = 0;
+  float inclination_rad = 0;
+};
+
 // What a survey leaves behind: the building, the raw placed readings (for methods that compare
 // fingerprints) and the fields trained on them (for methods that need a likelihood).
 struct Site {
@@ -47,6 +55,7 @@ struct Site {
   std::vector<Transmitter> transmitters;  // sorted, each once
   std::vector<SurveyPoint> path;
   std::vector<SurveyScan> scans;  // by walk, then printed_ns
+  std::vector<SurveyMagnetic> magnetic;  // by walk, then time
   std::vector<RadioMap> maps;     // by floor, then radio
   // How long after its stamp a reading of a radio speaks of the place where the phone was, s.
   // Clocks play a part, and the walker's body, which makes what lies ahead sound nearer than what

@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -221,6 +221,12 @@ void ArchiveSite(A& a, S& site) {
     b.Scalar(point.walk);
   });
   Each(a, site.scans, [](A& b, auto& scan) { ArchiveScan(b, scan); });
+  Each(a, site.magnetic, [](A& b, auto& sample) {
+    Vector2(b, sample.position_m);
+    b.Scalar(sample.floor);
+    b.Scalar(sample.norm_ut);
+    b.Scalar(sample.inclination_rad);
+  });
   Each(a, site.maps, [](A& b, auto& map) { ArchiveMap(b, map); });
   for (auto& lag_s : site.reading_lag_s) a.Scalar(lag_s);
 }

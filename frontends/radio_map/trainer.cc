@@ -1,6 +1,7 @@
 #include "frontends/radio_map/trainer.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -14,6 +15,7 @@ namespace walkgraph {
 namespace {
 
 constexpr double kPathSpacingM = 1.0;
+constexpr double kMagneticS = 0.5;  // walked in which the field of a building hardly changes
 
 std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
   std::set<Transmitter> all;
@@ -41,6 +43,22 @@ void AppendPath(const Trajectory& trajectory, std::uint32_t walk, std::vector<Su
       path->push_back({from + (to - from) * i / pieces, pose.floor, walk});
     }
     if (pieces > 0) last = &pose;
+  }
+}
+
+// Half seconds between the first and the last known position; those without a sample left out.
+void AppendMagnetic(const SurveyWalk& walk, std::vector<SurveyMagnetic>* samples) {
+  if (walk.trajectory.empty()) return;
+  const TimeNs begin = walk.trajectory.poses.front().time_ns;
+  const TimeNs end = walk.trajectory.poses.back().time_ns;
+  for (TimeNs time = begin; time < end; time += DurationNs(kMagneticS)) {
+    const std::optional<MagneticSample> mean =
+        MeanField(walk.evidence->magnetic, time, time + DurationNs(kMagneticS));
+    if (!mean) continue;
+    const PoseEstimate pose = walk.trajectory.At(time + DurationNs(kMagneticS / 2));
+    samples->push_back({pose.position_m.head<2>().cast<float>(), pose.floor,
+                        static_cast<float>(mean->norm_ut),
+                        static_cast<float>(mean->inclination_rad)});
   }
 }
 
@@ -77,6 +95,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
   std::vector<std::vector<std::int32_t>> site_index;
   for (std::size_t i = 0; i < walks.size(); ++i) {
     AppendPath(walks[i].trajectory, static_cast<std::uint32_t>(i), &site.path);
+    AppendMagnetic(walks[i], &site.magnetic);
     site_index.push_back(MatchTransmitters(site, *walks[i].evidence));
   }
   for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {

@@ -27,14 +27,6 @@ std::vector<TimeNs> EpochTimes(const Evidence& evidence, double epoch_s) {
   return times;
 }
 
-std::size_t NearestEpoch(const std::vector<TimeNs>& times, TimeNs time_ns) {
-  const auto after = std::lower_bound(times.begin(), times.end(), time_ns);
-  if (after == times.begin()) return 0;
-  if (after == times.end()) return times.size() - 1;
-  const auto i = static_cast<std::size_t>(after - times.begin());
-  return time_ns - times[i - 1] < times[i] - time_ns ? i - 1 : i;
-}
-
 // -log p of all absolute evidence near each epoch, for every cell.
 class Emissions {
  public:
@@ -57,7 +49,7 @@ class Emissions {
   }
 
   void AddAnchor(const PositionAnchor& anchor) {
-    const std::size_t epoch = NearestEpoch(times_, anchor.time_ns);
+    const std::size_t epoch = NearestTime(times_, anchor.time_ns);
     const Eigen::Vector2d at = anchor.position_m - MovedSince(epoch, anchor.time_ns);
     const double variance = anchor.sigma_m * anchor.sigma_m + QuantisationVariance();
     for (std::size_t c = 0; c < lattice_.size(); ++c) {
@@ -82,7 +74,7 @@ class Emissions {
 
   // A reading heard between epochs speaks of the cell that the person passed then.
   void AddMoved(TimeNs time_ns, const std::vector<float>& cost) {
-    const std::size_t epoch = NearestEpoch(times_, time_ns);
+    const std::size_t epoch = NearestTime(times_, time_ns);
     const Eigen::Vector2d moved = MovedSince(epoch, time_ns) / lattice_.spacing_m();
     const int columns = static_cast<int>(std::lround(moved.x()));
     const int rows = static_cast<int>(std::lround(moved.y()));

@@ -25,16 +25,6 @@ void Add(const std::vector<float>& nats, Epoch* epoch) {
   for (std::size_t i = 0; i < nats.size(); ++i) epoch->nats[i] += nats[i];
 }
 
-std::size_t NearestEpoch(const std::vector<Epoch>& epochs, TimeNs time_ns) {
-  const auto after =
-      std::lower_bound(epochs.begin(), epochs.end(), time_ns,
-                       [](const Epoch& epoch, TimeNs time) { return epoch.time_ns < time; });
-  const auto i = static_cast<std::size_t>(after - epochs.begin());
-  if (i == 0) return 0;
-  if (i == epochs.size()) return i - 1;
-  return time_ns - epochs[i - 1].time_ns <= epochs[i].time_ns - time_ns ? i - 1 : i;
-}
-
 // Epochs are the Wi-Fi scans, which beacon reports join; without any Wi-Fi, the beacon reports.
 std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evidence,
                               const FactorSettings& settings, const ReferencePoints& points) {
@@ -49,10 +39,12 @@ std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evide
     const LikelihoodGrid grid(*map, points.positions_m(), settings.rssi_offset.SpreadDb(),
                               settings.fingerprint.loss);
     const auto nats = grid.Evaluate(sweeps);
+    std::vector<TimeNs> times;
+    for (const Epoch& epoch : epochs) times.push_back(epoch.time_ns);
     const bool join = !epochs.empty();
     for (std::size_t s = 0; s < sweeps.size(); ++s) {
       if (!join) epochs.push_back({sweeps[s].mean_heard_ns, {}});
-      Add(nats[s], join ? &epochs[NearestEpoch(epochs, sweeps[s].mean_heard_ns)] : &epochs.back());
+      Add(nats[s], join ? &epochs[NearestTime(times, sweeps[s].mean_heard_ns)] : &epochs.back());
     }
   }
   return epochs;

@@ -54,6 +54,11 @@ class ReferencePoints {
   double spacing_m() const { return spacing_m_; }
   std::span<const Eigen::Vector2d> positions_m() const { return positions_m_; }
   const Cell& cell(std::size_t i) const { return cells_[i]; }
+  // The cell of the lattice nearest to a position, with or without a point.
+  Cell CellAt(const Eigen::Vector2d& position_m) const {
+    const Eigen::Vector2d at = (position_m - origin_m_) / spacing_m_;
+    return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+  }
   // The point at a cell of the lattice, or -1.
   int IndexAt(Cell cell) const;
   // Calls visit(int index) for the points within `radius_m` of a position (ends included),

@@ -9,6 +9,8 @@
 #include <queue>
 #include <utility>
 
+#include "solvers/baselines/walls.h"
+
 namespace walkgraph {
 namespace {
 
@@ -21,28 +23,10 @@ struct Link {
   double length_m = 0;
 };
 
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-// Do two segments cross in their insides?
-bool SegmentsCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-                   const Eigen::Vector2d& d) {
-  const double side_c = Cross(b - a, c - a), side_d = Cross(b - a, d - a);
-  const double side_a = Cross(d - c, a - c), side_b = Cross(d - c, b - c);
-  return side_c * side_d < 0 && side_a * side_b < 0;
-}
-
-bool Blocks(const Polygon& obstacle, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  for (std::size_t i = 0; i < obstacle.size(); ++i) {
-    if (SegmentsCross(a, b, obstacle[i], obstacle[(i + 1) % obstacle.size()])) return true;
-  }
-  return false;
-}
-
 std::vector<std::vector<Link>> FindLinks(const ReferencePoints& points,
                                          std::span<const Polygon> obstacles) {
   std::vector<std::vector<Link>> links(points.size());
+  const Walls walls(obstacles);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ReferencePoints::Cell& from = points.cell(i);
     for (const ReferencePoints::Cell& step : kDirections) {
@@ -50,10 +34,7 @@ std::vector<std::vector<Link>> FindLinks(const ReferencePoints& points,
       if (j < 0) continue;
       const Eigen::Vector2d& a = points.positions_m()[i];
       const Eigen::Vector2d& b = points.positions_m()[static_cast<std::size_t>(j)];
-      if (std::any_of(obstacles.begin(), obstacles.end(),
-                      [&](const Polygon& obstacle) { return Blocks(obstacle, a, b); })) {
-        continue;
-      }
+      if (walls.Block(a, b)) continue;
       const double length_m = (b - a).norm();
       links[i].push_back({j, length_m});
       links[static_cast<std::size_t>(j)].push_back({static_cast<int>(i), length_m});
