@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,12 +28,17 @@ struct Stream {
   }
 };
 
-enum class Radio : std::uint8_t { kWifi = 0, kBeacon = 1 };
-inline constexpr int kRadioCount = 2;
-inline const char* RadioName(Radio radio) { return radio == Radio::kWifi ? "wifi" : "beacon"; }
+enum class Radio : std::uint8_t { kWifi = 0, kBeacon = 1, kZigbee = 2 };
+inline constexpr int kRadioCount = 3;
+inline constexpr std::array<Radio, kRadioCount> kAllRadios = {Radio::kWifi, Radio::kBeacon,
+                                                              Radio::kZigbee};
+inline const char* RadioName(Radio radio) {
+  constexpr const char* kNames[] = {"wifi", "beacon", "zigbee"};
+  return kNames[static_cast<int>(radio)];
+}
 
 // What sends: an access point's BSSID, or a beacon's "uuid_major_minor_mac" (in GetSensorData logs
-// its MAC address alone, for some lack the identifiers), all in lower case.
+// its MAC address alone, for some lack the identifiers), all in lower case; of other radios a name.
 struct Transmitter {
   Radio radio = Radio::kWifi;
   std::string name;

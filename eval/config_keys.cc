@@ -20,6 +20,10 @@ std::span<const std::string_view> EnumNames(SurveyPositions /*tag*/) {
 }
 std::span<const std::string_view> EnumNames(ReferenceArea /*tag*/) { return kReferenceAreaNames; }
 std::span<const std::string_view> EnumNames(ErrorBlockMode /*tag*/) { return kErrorBlockModeNames; }
+std::span<const std::string_view> EnumNames(MapInterpolation /*tag*/) {
+  return kMapInterpolationNames;
+}
+std::span<const std::string_view> EnumNames(StoreRule /*tag*/) { return kStoreRuleNames; }
 std::span<const std::string_view> EnumNames(HipeCase /*tag*/) { return kHipeCaseNames; }
 std::span<const std::string_view> EnumNames(HipeDistance /*tag*/) { return kHipeDistanceNames; }
 

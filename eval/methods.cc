@@ -8,6 +8,7 @@
 #include "eval/usage_error.h"
 #include "solvers/baselines/ahf/ahf.h"
 #include "solvers/baselines/dsff/dsff.h"
+#include "solvers/baselines/mufaf/mufaf.h"
 #include "solvers/baselines/tcpf/tcpf.h"
 #include "solvers/baselines/viterbi.h"
 #include "solvers/batch_smoother.h"
@@ -119,6 +120,16 @@ std::vector<Method> DsffMethods() {
   return methods;
 }
 
+std::vector<Method> MufafMethods() {
+  std::vector<Method> methods;
+  for (const MufafMethod& method : kMufafMethods) {
+    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+      return Own(MufafEstimator(method, s.baselines.mufaf, s.baselines.wknn, s.factors));
+    }));
+  }
+  return methods;
+}
+
 // Our own: the lattice, the window, the whole walk.
 std::vector<Method> GraphMethods() {
   return {
@@ -139,7 +150,8 @@ std::vector<Method> GraphMethods() {
 const std::vector<Method>& Methods() {
   static const std::vector<Method>* const kMethods = [] {
     auto* methods = new std::vector<Method>;
-    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), DsffMethods(), GraphMethods()}) {
+    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), DsffMethods(), MufafMethods(),
+                              GraphMethods()}) {
       methods->insert(methods->end(), group.begin(), group.end());
     }
     return methods;

@@ -12,6 +12,7 @@
 #include "solvers/baselines/dsff/tracker.h"
 #include "solvers/baselines/hipe.h"
 #include "solvers/baselines/mle.h"
+#include "solvers/baselines/mufaf/mufaf.h"
 #include "solvers/baselines/tcpf/fusion.h"
 #include "solvers/baselines/wknn.h"
 #include "solvers/settings.h"
@@ -52,6 +53,7 @@ struct BaselineSettings {
   TcpfSettings tcpf;
   AhfSettings ahf;
   DsffSettings dsff;
+  MufafSettings mufaf;
   DiscreteSettings viterbi;
 };
 
@@ -64,6 +66,7 @@ void Visit(Visitor& v, BaselineSettings& s) {
   v.Group("tcpf", s.tcpf);
   v.Group("ahf", s.ahf);
   v.Group("dsff", s.dsff);
+  v.Group("mufaf", s.mufaf);
   v.Group("viterbi", s.viterbi);
 }
 

@@ -1,5 +1,6 @@
 #include "eval/survey.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -98,7 +99,11 @@ int CalibrateDataset(const LearnOptions& options) {
                   RadioName(map.radio), map.n_eff, map.map_error_sigma_m);
     text += line.data();
   }
-  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+  for (const Radio radio : kAllRadios) {
+    if (std::none_of(fold.site.maps.begin(), fold.site.maps.end(),
+                     [radio](const RadioMap& map) { return map.radio == radio; })) {
+      continue;
+    }
     std::array<char, 80> line;
     std::snprintf(line.data(), line.size(), "# In the site, %s readings lag by %.2f s\n",
                   RadioName(radio), fold.site.reading_lag_s[static_cast<std::size_t>(radio)]);

@@ -93,9 +93,8 @@ std::vector<const RadioMap*> MapsOnPath(const Site& site, const FingerprintSetti
                                         const FloorPath& floors) {
   std::vector<const RadioMap*> maps;
   for (const int floor : floors.Floors()) {
-    for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
-      const bool used = radio == Radio::kWifi ? settings.wifi : settings.beacon;
-      const RadioMap* map = used ? site.FindMap(floor, radio) : nullptr;
+    for (const Radio radio : kAllRadios) {
+      const RadioMap* map = settings.Uses(radio) ? site.FindMap(floor, radio) : nullptr;
       if (map != nullptr) maps.push_back(map);
     }
   }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "data/recording.h"
+
 namespace walkgraph {
 
 // Noise and switches of the factor types and slow states. One struct per factor, and one Visit()
@@ -53,11 +55,16 @@ struct StandingSettings {
 struct FingerprintSettings {
   bool wifi = true;
   bool beacon = true;
+  bool zigbee = true;
   double n_eff = 0;            // independent readings per scan; 0 takes the site's calibrated value
   double min_rssi_dbm = -120;  // weaker readings are not used
   // Readings miss the map by far more than a normal density allows: people stand in the way, access
   // points change their power. 1.345 keeps 95 % of the efficiency where they do not (Huber 1981).
   LossSettings loss{LossKind::kHuber, 1.345};
+
+  bool Uses(Radio radio) const {
+    return radio == Radio::kWifi ? wifi : radio == Radio::kBeacon ? beacon : zigbee;
+  }
 };
 
 struct GyroBiasSettings {
@@ -195,6 +202,7 @@ template <typename Visitor>
 void Visit(Visitor& v, FingerprintSettings& s) {
   v.Field("wifi", s.wifi, "use Wi-Fi readings");
   v.Field("beacon", s.beacon, "use beacon readings");
+  v.Field("zigbee", s.zigbee, "use ZigBee readings");
   v.Field("n_eff", s.n_eff, "independent readings per scan; 0 takes the site's calibrated value");
   v.Field("min_rssi_dbm", s.min_rssi_dbm, "weaker readings are not used, dBm");
   Visit(v, s.loss);

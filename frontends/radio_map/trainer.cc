@@ -68,7 +68,7 @@ void TrainMaps(const TrainerSettings& settings, Site* site) {
   for (const int floor : floors) {
     const FieldGrid grid =
         CoveringGrid(site->building.FindFloor(floor), site->path, floor, settings);
-    for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+    for (const Radio radio : kAllRadios) {
       ScanList scans;
       for (const SurveyScan& scan : site->scans) {
         if (scan.floor == floor && scan.radio == radio) scans.push_back(&scan);
@@ -98,7 +98,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
     AppendMagnetic(walks[i], &site.magnetic);
     site_index.push_back(MatchTransmitters(site, *walks[i].evidence));
   }
-  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+  for (const Radio radio : kAllRadios) {
     double& lag_s = site.reading_lag_s[static_cast<std::size_t>(radio)];
     if (settings.calibrate_lag) {
       lag_s = CalibrateReadingLag(building, walks, site_index, site.path, radio, settings);

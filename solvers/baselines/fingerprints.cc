@@ -27,10 +27,10 @@ std::array<std::uint32_t, 2> TwoStrongest(std::span<const SignalVector::Entry> e
 }  // namespace
 
 std::vector<QueryScan> CollectQueryScans(const Site& site, const Evidence& evidence,
-                                         double max_age_s) {
+                                         double max_age_s, Radio radio) {
   const std::vector<std::int32_t> site_index = MatchTransmitters(site, evidence);
   std::vector<QueryScan> scans;
-  for (const Sweep& sweep : GroupSweeps(evidence, Radio::kWifi)) {
+  for (const Sweep& sweep : GroupSweeps(evidence, radio)) {
     QueryScan scan;
     const TimeNs origin = sweep.mean_heard_ns;
     TimeNs sum_ns = 0;

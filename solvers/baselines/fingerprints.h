@@ -31,10 +31,10 @@ struct QueryScan {
   SignalVector signal;
 };
 
-// The Wi-Fi scans of the evidence with their readings under `max_age_s` old that the site knows;
-// scans without any are left out. In order of time.
+// The scans of one radio in the evidence with their readings under `max_age_s` old that the site
+// knows; scans without any are left out. In order of time.
 std::vector<QueryScan> CollectQueryScans(const Site& site, const Evidence& evidence,
-                                         double max_age_s);
+                                         double max_age_s, Radio radio = Radio::kWifi);
 
 struct Neighbour {
   std::size_t fingerprint = 0;

@@ -102,8 +102,9 @@ Eigen::VectorXd FloorSounds::LogPrior(const std::vector<int>& floors) const {
 std::vector<FloorLook> FloorSounds::Looks(const Evidence& evidence,
                                           const std::vector<int>& floors) const {
   std::vector<FloorLook> looks;
-  if (settings_.fingerprint.wifi) AppendLooks(evidence, Radio::kWifi, floors, &looks);
-  if (settings_.fingerprint.beacon) AppendLooks(evidence, Radio::kBeacon, floors, &looks);
+  for (const Radio radio : kAllRadios) {
+    if (settings_.fingerprint.Uses(radio)) AppendLooks(evidence, radio, floors, &looks);
+  }
   std::stable_sort(looks.begin(), looks.end(), [](const FloorLook& a, const FloorLook& b) {
     return a.mean_heard_ns < b.mean_heard_ns;
   });

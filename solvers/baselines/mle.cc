@@ -25,15 +25,13 @@ void Add(const std::vector<float>& nats, Epoch* epoch) {
   for (std::size_t i = 0; i < nats.size(); ++i) epoch->nats[i] += nats[i];
 }
 
-// Epochs are the Wi-Fi scans, which beacon reports join; without any Wi-Fi, the beacon reports.
+// Epochs are the scans of the first radio that was heard, which reports of the others join.
 std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evidence,
                               const FactorSettings& settings, const ReferencePoints& points) {
   std::vector<Epoch> epochs;
-  for (const Radio radio : {Radio::kWifi, Radio::kBeacon}) {
+  for (const Radio radio : kAllRadios) {
     const RadioMap* map = site.FindMap(floor, radio);
-    if (map == nullptr ||
-        !(radio == Radio::kWifi ? settings.fingerprint.wifi : settings.fingerprint.beacon))
-      continue;
+    if (map == nullptr || !settings.fingerprint.Uses(radio)) continue;
     const std::vector<MapSweep> sweeps =
         CollectMapSweeps(site, *map, evidence, settings.fingerprint);
     const LikelihoodGrid grid(*map, points.positions_m(), settings.rssi_offset.SpreadDb(),

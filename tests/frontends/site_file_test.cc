@@ -37,6 +37,7 @@ Site SmallSite() {
   site.path = {{{1, 2}, -1, 0}, {{2, 2}, -1, 0}};
   site.scans = {
       {1'560'000'000'000'000'007, 3, 2, -1, Radio::kBeacon, {{1, -71.5F, 0.25F, {1.5F, 2.0F}}}}};
+  site.magnetic = {{{1.5F, 2.5F}, -1, 43.5F, 1.0F}};
   RadioMap map;
   map.floor = -1;
   map.radio = Radio::kBeacon;
@@ -85,6 +86,8 @@ TEST(SiteFileTest, KeepsEveryMember) {
   ASSERT_EQ(site.scans.size(), 1U);
   EXPECT_EQ(site.scans[0].printed_ns, 1'560'000'000'000'000'007);
   EXPECT_EQ(site.scans[0].readings[0].age_s, 0.25F);
+  ASSERT_EQ(site.magnetic.size(), 1U);
+  EXPECT_EQ(site.magnetic[0].norm_ut, 43.5F);
   const RadioMap* map = site.FindMap(-1, Radio::kBeacon);
   ASSERT_NE(map, nullptr);
   EXPECT_EQ(map->hear_weight, 0.4);
@@ -128,7 +131,7 @@ TEST(SiteFileTest, NoticesEveryFlippedByte) {
 TEST(SiteFileTest, NamesTheVersionThatItCannotRead) {
   std::string bytes = SerializeSite(SmallSite());
   bytes[std::string("WALKGRAPHSITE\n").size()] = 99;
-  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 3")));
+  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 4")));
 }
 
 TEST(SiteFileTest, TellsWhatIsNoSite) {

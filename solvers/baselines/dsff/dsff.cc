@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "factors/dead_reckoning.h"
-#include "solvers/baselines/discrete.h"
 #include "solvers/baselines/fixes.h"
 
 namespace walkgraph {
@@ -60,13 +59,19 @@ std::vector<Eigen::Vector2d> PathOf(const Trajectory& trajectory) {
   return path;
 }
 
+// The best cell of every epoch; where nothing was heard of the floors, that of the epoch before (the
+// first that heard something, at the beginning).
 DsffTrack MostLikelyCells(const AbsoluteEvidence& absolute) {
-  DsffTrack track;
-  KBestViterbi::Trace trace;
+  std::vector<int> best;
   for (const std::vector<double>& log_likelihood : absolute.log_likelihood) {
-    trace.states.push_back(ArgMax(log_likelihood));
+    const auto [low, high] = std::minmax_element(log_likelihood.begin(), log_likelihood.end());
+    best.push_back(*low < *high ? static_cast<int>(high - log_likelihood.begin()) : -1);
   }
-  track.traces.push_back(std::move(trace));
+  const auto heard = std::find_if(best.begin(), best.end(), [](int cell) { return cell >= 0; });
+  int last = heard == best.end() ? 0 : *heard;
+  for (int& cell : best) last = cell = cell < 0 ? last : cell;
+  DsffTrack track;
+  track.traces.push_back({0.0, std::move(best)});
   return track;
 }
 
@@ -85,6 +90,12 @@ std::string DsffEstimator::Lack(const Evidence& evidence, const DsffCells& cells
   }
   if (!one_floor && evidence.barometric_height_m.empty()) {
     return "no barometer, and the floor is not known";
+  }
+  const auto same_height = [&](const DsffCells::FloorCells& floor) {
+    return floor.height_m == cells.floors().front().height_m;
+  };
+  if (!one_floor && std::all_of(cells.floors().begin(), cells.floors().end(), same_height)) {
+    return "the building does not know the heights of its floors";
   }
   return "";
 }

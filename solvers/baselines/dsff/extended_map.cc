@@ -205,12 +205,12 @@ AbsoluteEvidence GatherAbsoluteEvidence(const Site& site, const Evidence& eviden
   Gatherer gatherer(site, evidence, cells, std::move(epochs), factors);
   const std::vector<bool> selected = SelectAccessPoints(site, settings.ap_count, missing_dbm);
   for (const DsffCells::FloorCells& floor : cells.floors()) {
-    const RadioMap* wifi = site.FindMap(floor.floor, Radio::kWifi);
-    if (wifi != nullptr && factors.fingerprint.wifi) {
-      gatherer.AddRadio(settings.ap_count > 0 ? Restrict(*wifi, selected) : *wifi, floor);
+    for (const Radio radio : kAllRadios) {
+      const RadioMap* map = site.FindMap(floor.floor, radio);
+      if (map == nullptr || !factors.fingerprint.Uses(radio)) continue;
+      const bool restricts = radio == Radio::kWifi && settings.ap_count > 0;
+      gatherer.AddRadio(restricts ? Restrict(*map, selected) : *map, floor);
     }
-    const RadioMap* beacon = site.FindMap(floor.floor, Radio::kBeacon);
-    if (beacon != nullptr && factors.fingerprint.beacon) gatherer.AddRadio(*beacon, floor);
   }
   if (cells.floors().size() > 1) {
     gatherer.NormaliseFloors();

@@ -13,7 +13,7 @@
 namespace walkgraph {
 
 struct DsffSettings {
-  ReferencePointSettings cells{ReferenceArea::kSurveyed, 1.0, 3.0};
+  ReferencePointSettings cells{ReferenceArea::kSurveyed, 1.0, 20.0};
   ExtendedMapSettings map;
   ErrorBlockSettings error_block;
   bool map_matching = true;
