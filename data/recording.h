@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cstddef>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -96,6 +96,7 @@ std::vector<ConfigKey> CollectKeys(Settings* settings) {
   Collect("frontend", settings->frontend, &keys);
   Collect("radio_map", settings->survey, &keys);
   Collect("radio_map", settings->radio_map, &keys);
+  Collect("map_change", settings->map_change, &keys);
   Collect("solver", settings->solver, &keys);
   Collect("window", settings->window, &keys);
   Collect("baselines", settings->baselines, &keys);

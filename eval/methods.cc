@@ -150,8 +150,8 @@ std::vector<Method> GraphMethods() {
 const std::vector<Method>& Methods() {
   static const std::vector<Method>* const kMethods = [] {
     auto* methods = new std::vector<Method>;
-    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), DsffMethods(), MufafMethods(),
-                              GraphMethods()}) {
+    for (const auto& group : {SimpleMethods(), TcpfMethods(), AhfMethods(), DsffMethods(),
+                              MufafMethods(), GraphMethods()}) {
       methods->insert(methods->end(), group.begin(), group.end());
     }
     return methods;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "factors/settings.h"
+#include "frontends/radio_map/map_update.h"
 #include "frontends/radio_map/trainer.h"
 #include "frontends/settings.h"
 #include "solvers/baselines/ahf/filters.h"
@@ -77,6 +78,7 @@ struct Settings {
   FrontendSettings frontend;
   SurveySettings survey;
   TrainerSettings radio_map;
+  MapChangeSettings map_change;
   SolverSettings solver;
   WindowSettings window;
   BaselineSettings baselines;

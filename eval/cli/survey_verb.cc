@@ -1,7 +1,18 @@
-// The verbs that learn from walks with truth.
+// The verbs that learn from walks.
+#include <algorithm>
+
 #include "common_flags.h"
+#include "eval/site_update.h"
+#include "eval/suggest.h"
 #include "eval/survey.h"
+#include "eval/usage_error.h"
 #include "verbs.h"
+
+DEFINE_string(update, "",
+              "graph, kriging or covariance: how the site given by --site learns from the walks, "
+              "whose truth it does not use");
+
+DECLARE_string(site);
 
 namespace walkgraph {
 namespace {
@@ -18,7 +29,25 @@ LearnOptions Options(const CommandLine& line) {
           .stopped = Interrupted};
 }
 
-int RunSurvey(const CommandLine& line) { return SurveyDataset(Options(line)); }
+SiteUpdate UpdateOfFlag() {
+  const auto name = std::find(kSiteUpdateNames.begin(), kSiteUpdateNames.end(), FLAGS_update);
+  if (name == kSiteUpdateNames.end()) {
+    throw UsageError("--update=" + FLAGS_update +
+                     DidYouMean(FLAGS_update, {kSiteUpdateNames.begin(), kSiteUpdateNames.end()}) +
+                     ", expected graph, kriging or covariance");
+  }
+  return static_cast<SiteUpdate>(name - kSiteUpdateNames.begin());
+}
+
+int RunSurvey(const CommandLine& line) {
+  if (FLAGS_update.empty() && FLAGS_site.empty()) return SurveyDataset(Options(line));
+  RequireFlag("update", FLAGS_update);
+  RequireFlag("site", FLAGS_site);
+  return UpdateSurveyedSite({.learn = Options(line),
+                             .site = FLAGS_site,
+                             .update = UpdateOfFlag(),
+                             .floor_given = FloorGiven()});
+}
 
 int RunCalibrate(const CommandLine& line) { return CalibrateDataset(Options(line)); }
 
@@ -27,8 +56,8 @@ int RunCalibrate(const CommandLine& line) { return CalibrateDataset(Options(line
 Verb SurveyVerb() {
   return {"survey",
           "--dataset=DIR --out=SITE",
-          "train a radio map from walks with truth",
-          {"dataset", "out", "workers", "config", "set"},
+          "train a radio map from walks with truth, or (--site, --update) let one learn from walks",
+          {"dataset", "out", "site", "update", "floor", "workers", "config", "set"},
           RunSurvey};
 }
 

@@ -24,7 +24,8 @@ constexpr std::array<Switch, 14> kSwitches = {{
     {"heading_increment", "factors.heading_increment.enabled=false"},
     {"absolute_heading", "factors.absolute_heading.enabled=false"},
     {"standing", "factors.standing.enabled=false"},
-    {"fingerprint", "factors.fingerprint.wifi=false factors.fingerprint.beacon=false "
+    {"fingerprint",
+     "factors.fingerprint.wifi=false factors.fingerprint.beacon=false "
      "factors.fingerprint.zigbee=false"},
     {"wifi", "factors.fingerprint.wifi=false"},
     {"beacon", "factors.fingerprint.beacon=false"},

@@ -104,9 +104,8 @@ inline double Interpolate(const Stream<double>& stream, TimeNs time_ns) {
 // The mean field of the samples within [begin, end); none where there is no sample.
 inline std::optional<MagneticSample> MeanField(const Stream<MagneticSample>& field, TimeNs begin_ns,
                                                TimeNs end_ns) {
-  const auto first =
-      std::lower_bound(field.time_ns.begin(), field.time_ns.end(), begin_ns) -
-      field.time_ns.begin();
+  const auto first = std::lower_bound(field.time_ns.begin(), field.time_ns.end(), begin_ns) -
+                     field.time_ns.begin();
   MagneticSample sum;
   std::size_t i = static_cast<std::size_t>(first);
   for (; i < field.size() && field.time_ns[i] < end_ns; ++i) {

@@ -54,9 +54,9 @@ struct Site {
   Building building;
   std::vector<Transmitter> transmitters;  // sorted, each once
   std::vector<SurveyPoint> path;
-  std::vector<SurveyScan> scans;  // by walk, then printed_ns
+  std::vector<SurveyScan> scans;         // by walk, then printed_ns
   std::vector<SurveyMagnetic> magnetic;  // by walk, then time
-  std::vector<RadioMap> maps;     // by floor, then radio
+  std::vector<RadioMap> maps;            // by floor, then radio
   // How long after its stamp a reading of a radio speaks of the place where the phone was, s.
   // Clocks play a part, and the walker's body, which makes what lies ahead sound nearer than what
   // lies behind. Calibrated in the survey, whose readings were placed with it; AlignReadings()

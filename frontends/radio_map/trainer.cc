@@ -28,7 +28,57 @@ std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
   return {all.begin(), all.end()};
 }
 
-void AppendPath(const Trajectory& trajectory, std::uint32_t walk, std::vector<SurveyPoint>* path) {
+// Half seconds between the first and the last known position; those without a sample left out.
+void AppendMagnetic(const SurveyWalk& walk, std::vector<SurveyMagnetic>* samples) {
+  if (walk.trajectory.empty()) return;
+  const TimeNs begin = walk.trajectory.poses.front().time_ns;
+  const TimeNs end = walk.trajectory.poses.back().time_ns;
+  for (TimeNs time = begin; time < end; time += DurationNs(kMagneticS)) {
+    const std::optional<MagneticSample> mean =
+        MeanField(walk.evidence->magnetic, time, time + DurationNs(kMagneticS));
+    if (!mean) continue;
+    const PoseEstimate pose = walk.trajectory.At(time + DurationNs(kMagneticS / 2));
+    samples->push_back({pose.position_m.head<2>().cast<float>(), pose.floor,
+                        static_cast<float>(mean->norm_ut),
+                        static_cast<float>(mean->inclination_rad)});
+  }
+}
+
+ScanList ScansOf(const Site& site, int floor, Radio radio) {
+  ScanList scans;
+  for (const SurveyScan& scan : site.scans) {
+    if (scan.floor == floor && scan.radio == radio) scans.push_back(&scan);
+  }
+  return scans;
+}
+
+FieldGrid GridOf(const Site& site, int floor, const TrainerSettings& settings) {
+  return CoveringGrid(site.building.FindFloor(floor), site.path, floor, settings);
+}
+
+void TrainMaps(const TrainerSettings& settings, Site* site) {
+  std::set<int> floors;
+  for (const SurveyScan& scan : site->scans) floors.insert(scan.floor);
+  for (const int floor : floors) {
+    const FieldGrid grid = GridOf(*site, floor, settings);
+    for (const Radio radio : kAllRadios) {
+      const ScanList scans = ScansOf(*site, floor, radio);
+      if (scans.empty()) continue;
+      const FieldModel model = SelectFieldModel(floor, radio, grid, scans, settings);
+      RadioMap map = BuildMap(floor, radio, grid, scans, model, settings);
+      const MapCalibration calibration = CalibrateMap(floor, radio, grid, scans, model, settings);
+      map.n_eff = calibration.n_eff;
+      map.hear_weight = calibration.hear_weight;
+      map.map_error_sigma_m = calibration.map_error_sigma_m;
+      site->maps.push_back(std::move(map));
+    }
+  }
+}
+
+}  // namespace
+
+void AppendSurveyPath(const Trajectory& trajectory, std::uint32_t walk,
+                      std::vector<SurveyPoint>* path) {
   const PoseEstimate* last = nullptr;
   for (const PoseEstimate& pose : trajectory.poses) {
     const Eigen::Vector2d to = pose.position_m.head<2>();
@@ -46,46 +96,24 @@ void AppendPath(const Trajectory& trajectory, std::uint32_t walk, std::vector<Su
   }
 }
 
-// Half seconds between the first and the last known position; those without a sample left out.
-void AppendMagnetic(const SurveyWalk& walk, std::vector<SurveyMagnetic>* samples) {
-  if (walk.trajectory.empty()) return;
-  const TimeNs begin = walk.trajectory.poses.front().time_ns;
-  const TimeNs end = walk.trajectory.poses.back().time_ns;
-  for (TimeNs time = begin; time < end; time += DurationNs(kMagneticS)) {
-    const std::optional<MagneticSample> mean =
-        MeanField(walk.evidence->magnetic, time, time + DurationNs(kMagneticS));
-    if (!mean) continue;
-    const PoseEstimate pose = walk.trajectory.At(time + DurationNs(kMagneticS / 2));
-    samples->push_back({pose.position_m.head<2>().cast<float>(), pose.floor,
-                        static_cast<float>(mean->norm_ut),
-                        static_cast<float>(mean->inclination_rad)});
+void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site) {
+  site->maps.clear();
+  for (const RadioMap& before : calibrated.maps) {
+    const ScanList scans = ScansOf(*site, before.floor, before.radio);
+    if (scans.empty()) continue;
+    const FieldModel model =
+        SelectFieldModel(before.floor, before.radio, GridOf(calibrated, before.floor, settings),
+                         ScansOf(calibrated, before.floor, before.radio), settings);
+    // With the survey's samples merged as ever, what is added would blur them.
+    const MapDetail detail = {.max_samples = 900};
+    RadioMap map = BuildMap(before.floor, before.radio, GridOf(*site, before.floor, settings),
+                            scans, model, settings, detail);
+    map.n_eff = before.n_eff;
+    map.hear_weight = before.hear_weight;
+    map.map_error_sigma_m = before.map_error_sigma_m;
+    site->maps.push_back(std::move(map));
   }
 }
-
-void TrainMaps(const TrainerSettings& settings, Site* site) {
-  std::set<int> floors;
-  for (const SurveyScan& scan : site->scans) floors.insert(scan.floor);
-  for (const int floor : floors) {
-    const FieldGrid grid =
-        CoveringGrid(site->building.FindFloor(floor), site->path, floor, settings);
-    for (const Radio radio : kAllRadios) {
-      ScanList scans;
-      for (const SurveyScan& scan : site->scans) {
-        if (scan.floor == floor && scan.radio == radio) scans.push_back(&scan);
-      }
-      if (scans.empty()) continue;
-      const FieldModel model = SelectFieldModel(floor, radio, grid, scans, settings);
-      RadioMap map = BuildMap(floor, radio, grid, scans, model, settings);
-      const MapCalibration calibration = CalibrateMap(floor, radio, grid, scans, model, settings);
-      map.n_eff = calibration.n_eff;
-      map.hear_weight = calibration.hear_weight;
-      map.map_error_sigma_m = calibration.map_error_sigma_m;
-      site->maps.push_back(std::move(map));
-    }
-  }
-}
-
-}  // namespace
 
 Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                const TrainerSettings& settings) {
@@ -94,7 +122,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
   site.transmitters = AllTransmitters(walks);
   std::vector<std::vector<std::int32_t>> site_index;
   for (std::size_t i = 0; i < walks.size(); ++i) {
-    AppendPath(walks[i].trajectory, static_cast<std::uint32_t>(i), &site.path);
+    AppendSurveyPath(walks[i].trajectory, static_cast<std::uint32_t>(i), &site.path);
     AppendMagnetic(walks[i], &site.magnetic);
     site_index.push_back(MatchTransmitters(site, *walks[i].evidence));
   }

@@ -55,6 +55,15 @@ struct SurveyWalk {
 Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                const TrainerSettings& settings);
 
+// The maps of the scans that `site` has now, in place of those it had. What is calibrated stays as
+// it was on the survey of the `calibrated` site: walks that were located and not surveyed cannot
+// tell how well walks are located.
+void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site);
+
+// A trajectory as points about a metre apart of the survey walk with that index.
+void AppendSurveyPath(const Trajectory& trajectory, std::uint32_t walk,
+                      std::vector<SurveyPoint>* path);
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_TRAINER_H_

@@ -273,7 +273,8 @@ TEST(Walls, BlockWhatCrossesThem) {
     const Eigen::Vector2d a(at(random), at(random)), b(at(random), at(random));
     // A segment with one end inside crosses; with sampled points on both sides too.
     bool crosses = inside(a) != inside(b);
-    for (int s = 1; s < 400 && !crosses; ++s) crosses = inside(a + s / 400.0 * (b - a)) != inside(a);
+    for (int s = 1; s < 400 && !crosses; ++s)
+      crosses = inside(a + s / 400.0 * (b - a)) != inside(a);
     EXPECT_TRUE(!crosses || walls.Block(a, b));
     crossings += walls.Block(a, b) ? 1 : 0;
   }

@@ -116,8 +116,8 @@ TEST(Dsff, ErrorBlocksLearnAHeadingBiasAndGainByIt) {
 // Steps taken to be half again as long. (A trace through noisy fixes is longer than the walk, so
 // that small errors of this sign are not seen.)
 TEST(Dsff, ErrorBlocksLearnThatStepsAreTooLong) {
-  const Lesson lesson = Teach(
-      SyntheticSite(22, 40), "dsff_distance", "step_length_error_m", [](Evidence* evidence) {
+  const Lesson lesson =
+      Teach(SyntheticSite(22, 40), "dsff_distance", "step_length_error_m", [](Evidence* evidence) {
         for (StepEvidence& step : evidence->steps) step.length_m *= 1.5;
       });
   EXPECT_GT(lesson.learnt, 0.1);  // of 0.35
@@ -134,8 +134,8 @@ TEST(Dsff, TruthInPlaceOfASensorIsNotWorseAndIsAskedForAlone) {
     hmm += MeanError(Make("dsff_hmm").Estimate(site.site, walk.evidence), walk.truth);
     const DsffEstimator knowing = Make("dsff_true_both");
     EXPECT_TRUE(knowing.uses_truth());
-    told += MeanError(
-        knowing.EstimateKnowing(walk.TrueTrajectory(), site.site, walk.evidence), walk.truth);
+    told += MeanError(knowing.EstimateKnowing(walk.TrueTrajectory(), site.site, walk.evidence),
+                      walk.truth);
   }
   EXPECT_LT(told, hmm);
   EXPECT_FALSE(Make("dsff").uses_truth());

@@ -88,10 +88,12 @@ TEST(SphericalVariogram, KrigingOfTwoData) {
 
 TEST(SphericalVariogram, KrigingInTheMiddleOfASquare) {
   const std::vector<Eigen::Vector2d> square{{0, 0}, {2, 0}, {0, 2}, {2, 2}};
-  const Interpolated result = OrdinaryKriging({0, 1, 10}, square, Eigen::Vector4d(1, 2, 3, 4), {1, 1});
+  const Interpolated result =
+      OrdinaryKriging({0, 1, 10}, square, Eigen::Vector4d(1, 2, 3, 4), {1, 1});
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(result.weights(i), 0.25, 1e-12);
   EXPECT_NEAR(result.variance, 0.170198, 5e-7);
-  EXPECT_NEAR(OrdinaryKriging({1, 0, 10}, square, Eigen::Vector4d(1, 2, 3, 4), {1, 1}).variance, 1.25, 1e-12);
+  EXPECT_NEAR(OrdinaryKriging({1, 0, 10}, square, Eigen::Vector4d(1, 2, 3, 4), {1, 1}).variance,
+              1.25, 1e-12);
 }
 
 TEST(SphericalVariogram, KrigingAtADatumReturnsItAndKeepsConstants) {

@@ -59,8 +59,8 @@ std::vector<Eigen::Vector2d> PathOf(const Trajectory& trajectory) {
   return path;
 }
 
-// The best cell of every epoch; where nothing was heard of the floors, that of the epoch before (the
-// first that heard something, at the beginning).
+// The best cell of every epoch; where nothing was heard of the floors, that of the epoch before
+// (the first that heard something, at the beginning).
 DsffTrack MostLikelyCells(const AbsoluteEvidence& absolute) {
   std::vector<int> best;
   for (const std::vector<double>& log_likelihood : absolute.log_likelihood) {
@@ -117,8 +117,8 @@ RelativeSensors DsffEstimator::MakeSensors(const std::vector<DsffMotion>& motion
     distance_sigma = std::hypot(factors_.step_scale.prior_sigma * step_m, cell_m / way_steps);
   }
   if (heading_sigma <= 0) {
-    heading_sigma = std::hypot(factors_.heading_offset.prior_sigma_rad,
-                               std::atan2(cell_m, step_m * way_steps));
+    heading_sigma =
+        std::hypot(factors_.heading_offset.prior_sigma_rad, std::atan2(cell_m, step_m * way_steps));
   }
   const DsffVariant& variant = method_.variant;
   return {{distance_sigma, variant.learns_distance, settings_.error_block},
@@ -163,11 +163,10 @@ EstimateResult DsffEstimator::Locate(const Site& site, const Evidence& evidence,
 
   EstimateResult result;
   for (std::size_t i = 0; i < track.traces.size(); ++i) {
-    const std::vector<PositionFix> fixes =
-        FixesOf(track.traces[i].states, absolute.time_ns, cells);
+    const std::vector<PositionFix> fixes = FixesOf(track.traces[i].states, absolute.time_ns, cells);
     Trajectory trajectory = TrajectoryFromFixes(site, evidence, path, fixes);
-    result.hypotheses.push_back({"trace " + std::to_string(i + 1), -track.traces[i].log_score,
-                                 i == 0, PathOf(trajectory)});
+    result.hypotheses.push_back(
+        {"trace " + std::to_string(i + 1), -track.traces[i].log_score, i == 0, PathOf(trajectory)});
     if (i == 0) result.trajectory = std::move(trajectory);
   }
   result.slow_states = track.learnt;

@@ -33,7 +33,8 @@ struct DsffMethod {
 inline constexpr std::string_view kDsffSource =
     "Dynamic Sensor Fusion Framework (DSFF), error blocks in a hidden Markov model";
 inline constexpr std::string_view kDsffChoices =
-    "cells: within 20 m of a survey path, as of viterbi. Densities of signals: the site's radio map "
+    "cells: within 20 m of a survey path, as of viterbi. Densities of signals: the site's radio "
+    "map "
     "at the cell, weighted by n_eff as in the graph; with several floors joined with what scans "
     "say of the floors. Epochs: Wi-Fi scans, 10 s apart at most. Way between two: straight, of the "
     "shared steps (calibrated scale) along the integrated gyroscope, which agrees with the compass "

@@ -58,9 +58,9 @@ double ErrorBlock::LogDensity(double deviation) const {
   for (const auto& [bin, mass] : mass_) {
     // Tails by the complement: a difference of two ones would be none.
     const double a = std::abs(error - bin);
-    density += mass * 0.5 *
-               (std::erfc((a - 0.5) / std::numbers::sqrt2) -
-                std::erfc((a + 0.5) / std::numbers::sqrt2));
+    density +=
+        mass * 0.5 *
+        (std::erfc((a - 0.5) / std::numbers::sqrt2) - std::erfc((a + 0.5) / std::numbers::sqrt2));
   }
   return std::log(std::max(density, std::numeric_limits<double>::min())) - std::log(sigma_);
 }

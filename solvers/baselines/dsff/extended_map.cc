@@ -98,14 +98,13 @@ MagneticEmission::MagneticEmission(const Site& site, const DsffCells& cells,
   const double prior = settings.magnetic_prior_samples;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const MagneticMoments& cell = near[c];
-    const MagneticMoments& floor =
-        floors[static_cast<std::size_t>(&cells.FloorOf(static_cast<int>(c)) -
-                                        cells.floors().data())];
+    const MagneticMoments& floor = floors[static_cast<std::size_t>(
+        &cells.FloorOf(static_cast<int>(c)) - cells.floors().data())];
     Eigen::Array2d mean = Eigen::Array2d::Zero(), variance = pooled;
     if (cell.count > 0) {
       mean = cell.Mean();
-      variance = (prior * pooled + cell.Deviations()) / (prior + cell.count - 1) *
-                 (1 + 1 / cell.count);
+      variance =
+          (prior * pooled + cell.Deviations()) / (prior + cell.count - 1) * (1 + 1 / cell.count);
     } else if (floor.count > 0) {
       mean = floor.Mean();
       variance = pooled + floor.Deviations() / floor.count;

@@ -23,7 +23,8 @@ void Visit(Visitor& v, ExtendedMapSettings& s) {
   v.Field("ap_count", s.ap_count,
           "Wi-Fi access points used, those whose signal varies most over the survey; 0 all (the "
           "paper: 50 of 196)");
-  v.Field("use_magnetic", s.use_magnetic, "magnetic norm and inclination as evidence (the paper's)");
+  v.Field("use_magnetic", s.use_magnetic,
+          "magnetic norm and inclination as evidence (the paper's)");
   v.Field("magnetic_radius_m", s.magnetic_radius_m,
           "survey samples this near a cell make its magnetic densities, m");
   v.Field("magnetic_prior_samples", s.magnetic_prior_samples,

@@ -12,9 +12,9 @@ namespace walkgraph {
 
 // What the relative sensors say of the way to an epoch from the one before.
 struct DsffMotion {
-  double distance_m = 0;   // straight, from where the person was to where the person is
-  double heading_rad = 0;  // of that way, building frame
-  double steps = 0;        // detected on it, by their shares
+  double distance_m = 0;           // straight, from where the person was to where the person is
+  double heading_rad = 0;          // of that way, building frame
+  double steps = 0;                // detected on it, by their shares
   std::optional<double> height_m;  // at the epoch, over that of the first
 };
 

@@ -29,22 +29,20 @@ TransitionKernel MakeKernel(const DsffMotion& motion, const RelativeSensors& sen
   const double steps = StepsOf(motion);
   TransitionKernel kernel;
   double best = -std::numeric_limits<double>::infinity();
-  ForLatticeCellsNear({0, 0}, max_distance_m, spacing_m, {0, 0},
-                      [&](const ReferencePoints::Cell& offset) {
-                        const Eigen::Vector2d way =
-                            spacing_m * Eigen::Vector2d(offset.column, offset.row);
-                        const double distance_m = way.norm();
-                        double log_p =
-                            sensors.distance.LogDensity((distance_m - motion.distance_m) / steps);
-                        if (distance_m > 0 && motion.distance_m > 0) {
-                          log_p += sensors.heading.LogDensity(
-                              WrapAngle(std::atan2(way.y(), way.x()) - motion.heading_rad));
-                        } else {
-                          log_p -= std::log(2 * std::numbers::pi);
-                        }
-                        best = std::max(best, log_p);
-                        kernel.entries.push_back({offset, log_p});
-                      });
+  ForLatticeCellsNear(
+      {0, 0}, max_distance_m, spacing_m, {0, 0}, [&](const ReferencePoints::Cell& offset) {
+        const Eigen::Vector2d way = spacing_m * Eigen::Vector2d(offset.column, offset.row);
+        const double distance_m = way.norm();
+        double log_p = sensors.distance.LogDensity((distance_m - motion.distance_m) / steps);
+        if (distance_m > 0 && motion.distance_m > 0) {
+          log_p += sensors.heading.LogDensity(
+              WrapAngle(std::atan2(way.y(), way.x()) - motion.heading_rad));
+        } else {
+          log_p -= std::log(2 * std::numbers::pi);
+        }
+        best = std::max(best, log_p);
+        kernel.entries.push_back({offset, log_p});
+      });
   std::erase_if(kernel.entries, [best](const TransitionKernel::Entry& entry) {
     return entry.log_probability < best - kNegligibleNats;
   });
@@ -71,8 +69,7 @@ MapMatching::MapMatching(const Site& site, const DsffCells& cells, const Setting
       polygons.insert(polygons.end(), plan->obstacles.begin(), plan->obstacles.end());
     }
     walls_.emplace_back(polygons);
-    const WayNetwork ways =
-        FindWays(site, floor.floor, settings.merge_m, settings.straight_rad);
+    const WayNetwork ways = FindWays(site, floor.floor, settings.merge_m, settings.straight_rad);
     std::vector<int> branches(ways.nodes.size(), 0);
     for (const auto& [from, to] : ways.links) {
       ++branches[static_cast<std::size_t>(from)];

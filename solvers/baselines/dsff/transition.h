@@ -59,8 +59,8 @@ void LearnFromTrace(const DsffMotion& motion, const Eigen::Vector2d& way_m,
 class MapMatching {
  public:
   struct Settings {
-    double merge_m = 3;           // of survey points into a way network, where there is none
-    double straight_rad = 0.35;   // a node that turns less is no junction
+    double merge_m = 3;          // of survey points into a way network, where there is none
+    double straight_rad = 0.35;  // a node that turns less is no junction
     double junction_radius_m = 1;
   };
   MapMatching(const Site& site, const DsffCells& cells, const Settings& settings);

@@ -53,8 +53,8 @@ void CellMap::AddSample(Eigen::Index cell, const Eigen::VectorXd& rssi_dbm) {
 }
 
 Eigen::Index CellMap::NearestCell(const Eigen::Vector2d& position_m) const {
-  const auto nearest = std::min_element(
-      centers_m_.begin(), centers_m_.end(), [&](const auto& a, const auto& b) {
+  const auto nearest =
+      std::min_element(centers_m_.begin(), centers_m_.end(), [&](const auto& a, const auto& b) {
         return (a - position_m).squaredNorm() < (b - position_m).squaredNorm();
       });
   return nearest - centers_m_.begin();

@@ -57,8 +57,7 @@ struct CellEstimatorSettings {
 // every cell by its kernel over the sum of all, z = sum w_l p_l: equations (4)-(6) of the MUFAF
 // paper. Precondition: a cell is left.
 Eigen::Vector2d EstimatePosition(const CellMap& map, const Eigen::VectorXd& rssi_dbm,
-                                 const CellEstimatorSettings& settings,
-                                 Eigen::Index left_out = -1);
+                                 const CellEstimatorSettings& settings, Eigen::Index left_out = -1);
 
 // Mean error of the estimator, m: every cell's mean is placed by all other cells (our choice; the
 // paper measures it by experiments). Too large rather than too small, by the spacing of the cells.

@@ -65,8 +65,8 @@ Fit FitAtRange(const EmpiricalVariogram& measured, double range_m) {
   }
   Fit fit{{nugget, sill, range_m}, 0};
   for (std::size_t i = 0; i < measured.gamma.size(); ++i) {
-    const double left = measured.gamma[i] - nugget -
-                        sill * SphericalShare(measured.distance_m[i], range_m);
+    const double left =
+        measured.gamma[i] - nugget - sill * SphericalShare(measured.distance_m[i], range_m);
     fit.squares += measured.pairs[i] * left * left;
   }
   return fit;

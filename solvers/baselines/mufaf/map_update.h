@@ -33,8 +33,9 @@ template <typename Visitor>
 void Visit(Visitor& v, MapUpdateSettings& s) {
   v.Field("interpolation", s.interpolation, "of the map where a target was: kriging or covariance");
   v.Field("store", s.store, "what joins a cell's samples: observed or kriged (as printed)");
-  v.Field("threshold_db", s.threshold_db,
-          "norm over anchors of map minus heard under which a sample is taken, dB (the paper's mu)");
+  v.Field(
+      "threshold_db", s.threshold_db,
+      "norm over anchors of map minus heard under which a sample is taken, dB (the paper's mu)");
   v.Field("neighbours", s.neighbours, "nearest cells that are interpolated (the paper: 4 to 8)");
   v.Field("lags", s.lags, "bins of the measured semivariogram (our choice)");
   v.Field("refit_every", s.refit_every,

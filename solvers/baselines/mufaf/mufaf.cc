@@ -131,14 +131,12 @@ EstimateResult MufafEstimator::Estimate(const Site& site, const Evidence& eviden
   std::size_t radios = 0;
   for (const Radio radio : kAllRadios) {
     if (!factors_.fingerprint.Uses(radio) || (radios > 0 && !fuses)) continue;
-    const SiteCells cells(site, floor, radio, settings_.cell_m, wknn_.max_age_s,
-                          wknn_.missing_dbm);
+    const SiteCells cells(site, floor, radio, settings_.cell_m, wknn_.max_age_s, wknn_.missing_dbm);
     if (cells.map().size() < 2) continue;
     const double error_m = settings_.fix_error_m > 0
                                ? settings_.fix_error_m
                                : LeaveOneCellOutError(cells.map(), estimator, kCellsForError);
-    const std::vector<QueryScan> scans =
-        CollectQueryScans(site, evidence, wknn_.max_age_s, radio);
+    const std::vector<QueryScan> scans = CollectQueryScans(site, evidence, wknn_.max_age_s, radio);
     const auto found = LocateRadio(cells, scans, radios, estimator, error_m);
     if (found.empty()) continue;
     reports.insert(reports.end(), found.begin(), found.end());
@@ -150,8 +148,8 @@ EstimateResult MufafEstimator::Estimate(const Site& site, const Evidence& eviden
   std::vector<PositionFix> fixes =
       method_.stage == MufafStage::kEstimate
           ? FixesOfFirstRadio(reports)
-          : TrackEpochs(GroupReports(std::move(reports), settings_.window_s), radios,
-                        method_.stage, settings_);
+          : TrackEpochs(GroupReports(std::move(reports), settings_.window_s), radios, method_.stage,
+                        settings_);
   for (PositionFix& fix : fixes) fix.floor = floor;
   EstimateResult result;
   result.trajectory = TrajectoryFromFixes(site, evidence, path, fixes);

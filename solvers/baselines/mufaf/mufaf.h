@@ -44,8 +44,8 @@ void Visit(Visitor& v, MufafSettings& s) {
 }
 
 enum class MufafStage : std::uint8_t {
-  kEstimate,    // TPE of one radio
-  kTrack,       // and its Kalman filter
+  kEstimate,     // TPE of one radio
+  kTrack,        // and its Kalman filter
   kTrackFusion,  // TTTF: a filter per radio, fused
   kGroupFusion,  // KSGF: one filter of all
 };
@@ -105,8 +105,8 @@ inline constexpr MufafMethod kMufafMethods[] = {
 // Unobservable where nobody heard an anchor.
 class MufafEstimator : public Estimator {
  public:
-  MufafEstimator(const MufafMethod& method, const MufafSettings& settings,
-                 const WknnSettings& wknn, const FactorSettings& factors)
+  MufafEstimator(const MufafMethod& method, const MufafSettings& settings, const WknnSettings& wknn,
+                 const FactorSettings& factors)
       : method_(method), settings_(settings), wknn_(wknn), factors_(factors) {}
   std::string_view name() const override { return method_.description.name; }
   EstimateResult Estimate(const Site& site, const Evidence& evidence) const override;

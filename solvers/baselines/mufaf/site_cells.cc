@@ -24,7 +24,8 @@ struct CellSums {
 SignalVector YoungReadings(const SurveyScan& scan, double max_age_s) {
   SignalVector signal;
   for (const SurveyReading& reading : scan.readings) {
-    if (reading.age_s < max_age_s) signal.entries.push_back({reading.transmitter, reading.rssi_dbm});
+    if (reading.age_s < max_age_s)
+      signal.entries.push_back({reading.transmitter, reading.rssi_dbm});
   }
   return signal;
 }

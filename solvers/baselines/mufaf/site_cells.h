@@ -22,6 +22,8 @@ class SiteCells {
             double missing_dbm);
 
   const CellMap& map() const { return map_; }
+  // The anchor that a transmitter of the site is, or -1.
+  std::int32_t AnchorOf(std::uint32_t transmitter) const { return anchor_[transmitter]; }
   // A scan as signals of the anchors; none where it heard no anchor.
   std::optional<Eigen::VectorXd> SignalsOf(const SignalVector& scan) const;
 

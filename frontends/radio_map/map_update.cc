@@ -1,0 +1,211 @@
+#include "frontends/radio_map/map_update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "frontends/radio_map/survey_scans.h"
+
+namespace walkgraph {
+namespace {
+
+// Readings in one square of a walk: their mean residual and the map's variance there.
+struct ResidualGroup {
+  double sum_db = 0, variance_db2 = 0, count = 0;
+};
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Gathers what the scans of walks say about the transmitters of a map.
+class ChangeFinder {
+ public:
+  ChangeFinder(const RadioMap& map, const MapChangeSettings& settings)
+      : map_(map), settings_(settings), groups_(map.fields.size()), tallies_(map.fields.size()) {}
+
+  void AddWalk(const std::vector<SurveyScan>& scans) {
+    std::vector<Residual> residuals;
+    for (const SurveyScan& scan : scans) {
+      if (scan.floor == map_.floor && scan.radio == map_.radio) AddScan(scan, &residuals);
+    }
+    if (residuals.empty()) return;
+    std::vector<double> values;
+    for (const Residual& residual : residuals) values.push_back(residual.residual_db);
+    const double phone_db = Median(std::move(values));
+    for (const Residual& residual : residuals) {
+      ResidualGroup& group =
+          groups_[residual.field][{residual.walk, residual.column, residual.row}];
+      group.sum_db += residual.residual_db - phone_db;
+      group.variance_db2 += residual.variance_db2;
+      ++group.count;
+    }
+  }
+
+  std::vector<TransmitterChange> Changes() const {
+    std::vector<TransmitterChange> changes;
+    for (std::size_t f = 0; f < map_.fields.size(); ++f) {
+      if (groups_[f].empty() && tallies_[f].expected <= 0) continue;
+      TransmitterChange change = tallies_[f];
+      change.transmitter = map_.fields[f].transmitter;
+      double information = 1 / (settings_.offset_sigma_db * settings_.offset_sigma_db), sum = 0;
+      for (const auto& [square, group] : groups_[f]) {
+        const double weight = group.count / group.variance_db2;  // over the mean variance
+        information += weight;
+        sum += weight * group.sum_db / group.count;
+      }
+      change.offset_db = sum / information;
+      change.offset_sigma_db = 1 / std::sqrt(information);
+      change.vanished = change.heard == 0 && silence_nats_.contains(f) &&
+                        silence_nats_.at(f) > std::log(settings_.vanish_odds);
+      changes.push_back(change);
+    }
+    return changes;
+  }
+
+ private:
+  struct Residual {
+    std::size_t field = 0;
+    std::uint32_t walk = 0;
+    long column = 0, row = 0;
+    double residual_db = 0, variance_db2 = 0;
+  };
+
+  void AddScan(const SurveyScan& scan, std::vector<Residual>* residuals) {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    std::set<std::size_t> heard;
+    for (const SurveyReading& reading : scan.readings) {
+      const Eigen::Vector2d at = reading.position_m.cast<double>();
+      middle += at / static_cast<double>(scan.readings.size());
+      const int field = map_.FindField(reading.transmitter);
+      if (field < 0) continue;
+      heard.insert(static_cast<std::size_t>(field));
+      const FieldValue value = map_.EvaluateValue(field, EvaluateBasis(map_.grid, at));
+      residuals->push_back({static_cast<std::size_t>(field), scan.walk,
+                            std::lround(at.x() / settings_.group_m),
+                            std::lround(at.y() / settings_.group_m),
+                            reading.rssi_dbm - value.mean_dbm, std::exp(2 * value.log_sigma)});
+    }
+    const FieldBasis basis = EvaluateBasis(map_.grid, middle);
+    for (std::size_t f = 0; f < map_.fields.size(); ++f) {
+      const double logit = map_.EvaluateValue(static_cast<int>(f), basis).logit_hear;
+      tallies_[f].expected += 1 / (1 + std::exp(-logit));
+      tallies_[f].heard += heard.contains(f) ? 1 : 0;
+      silence_nats_[f] += map_.hear_weight * std::log1p(std::exp(logit));
+    }
+  }
+
+  const RadioMap& map_;
+  const MapChangeSettings& settings_;
+  std::vector<std::map<std::tuple<std::uint32_t, long, long>, ResidualGroup>> groups_;
+  std::vector<TransmitterChange> tallies_;
+  std::map<std::size_t, double> silence_nats_;  // of never hearing it, by field
+};
+
+std::uint32_t NextWalk(const Site& site) {
+  std::uint32_t next = 0;
+  for (const SurveyScan& scan : site.scans) next = std::max(next, scan.walk + 1);
+  for (const SurveyPoint& point : site.path) next = std::max(next, point.walk + 1);
+  return next;
+}
+
+// Scans of the located walks as the site would have them; numbered after the survey's.
+std::vector<SurveyScan> ScansOf(const Site& site, const std::vector<SurveyWalk>& walks) {
+  const std::uint32_t first = NextWalk(site);
+  std::vector<SurveyScan> scans;
+  for (std::size_t i = 0; i < walks.size(); ++i) {
+    if (walks[i].trajectory.empty()) continue;
+    const std::vector<std::int32_t> index = MatchTransmitters(site, *walks[i].evidence);
+    for (const Radio radio : kAllRadios) {
+      const double lag_s = site.reading_lag_s[static_cast<std::size_t>(radio)];
+      for (SurveyScan& scan : PlaceScans(walks, i, radio, index, lag_s, {lag_s, lag_s})) {
+        std::erase_if(scan.readings, [&](const SurveyReading& reading) {
+          return reading.transmitter >= site.transmitters.size();
+        });
+        if (scan.readings.empty()) continue;
+        scan.walk += first;
+        scan.trial += first;
+        scans.push_back(std::move(scan));
+      }
+    }
+  }
+  return scans;
+}
+
+}  // namespace
+
+std::vector<TransmitterChange> FindChanges(const Site& site, const RadioMap& map,
+                                           const std::vector<SurveyWalk>& walks,
+                                           const MapChangeSettings& settings) {
+  ChangeFinder finder(map, settings);
+  std::map<std::uint32_t, std::vector<SurveyScan>> by_walk;
+  for (SurveyScan& scan : ScansOf(site, walks)) by_walk[scan.walk].push_back(std::move(scan));
+  for (const auto& [walk, scans] : by_walk) finder.AddWalk(scans);
+  return finder.Changes();
+}
+
+Site WithWalks(const Site& site, const std::vector<SurveyWalk>& walks) {
+  std::set<Transmitter> all(site.transmitters.begin(), site.transmitters.end());
+  for (const SurveyWalk& walk : walks) {
+    if (walk.trajectory.empty()) continue;
+    for (const RadioReading& reading : walk.evidence->readings) {
+      all.insert(walk.evidence->transmitters[reading.transmitter]);
+    }
+  }
+  Site result = site;
+  result.transmitters.assign(all.begin(), all.end());
+  std::vector<std::uint32_t> moved;
+  for (const Transmitter& transmitter : site.transmitters) {
+    moved.push_back(static_cast<std::uint32_t>(std::distance(
+        result.transmitters.begin(),
+        std::lower_bound(result.transmitters.begin(), result.transmitters.end(), transmitter))));
+  }
+  for (SurveyScan& scan : result.scans) {
+    for (SurveyReading& reading : scan.readings) reading.transmitter = moved[reading.transmitter];
+  }
+  for (RadioMap& map : result.maps) {
+    for (RadioMap::TransmitterField& field : map.fields) {
+      field.transmitter = moved[field.transmitter];
+    }
+  }
+  const std::uint32_t first = NextWalk(site);
+  for (std::size_t i = 0; i < walks.size(); ++i) {
+    AppendSurveyPath(walks[i].trajectory, first + static_cast<std::uint32_t>(i), &result.path);
+  }
+  return result;
+}
+
+Site UpdateSite(const Site& site, const std::vector<SurveyWalk>& walks,
+                const TrainerSettings& trainer, const MapChangeSettings& settings) {
+  Site result = WithWalks(site, walks);
+  for (const RadioMap& map : result.maps) {
+    std::map<std::uint32_t, TransmitterChange> changes;
+    for (const TransmitterChange& change : FindChanges(result, map, walks, settings)) {
+      changes[change.transmitter] = change;
+    }
+    for (SurveyScan& scan : result.scans) {
+      if (scan.floor != map.floor || scan.radio != map.radio) continue;
+      std::erase_if(scan.readings, [&](const SurveyReading& reading) {
+        const auto change = changes.find(reading.transmitter);
+        return change != changes.end() && change->second.vanished;
+      });
+      for (SurveyReading& reading : scan.readings) {
+        const auto change = changes.find(reading.transmitter);
+        if (change == changes.end()) continue;
+        reading.rssi_dbm += static_cast<float>(change->second.offset_db);
+      }
+    }
+  }
+  std::erase_if(result.scans, [](const SurveyScan& scan) { return scan.readings.empty(); });
+  for (SurveyScan& scan : ScansOf(result, walks)) result.scans.push_back(std::move(scan));
+  RetrainMaps(trainer, site, &result);
+  return result;
+}
+
+}  // namespace walkgraph

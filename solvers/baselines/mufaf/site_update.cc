@@ -1,0 +1,103 @@
+#include "solvers/baselines/mufaf/site_update.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "solvers/baselines/mufaf/map_update.h"
+#include "solvers/baselines/mufaf/site_cells.h"
+
+namespace walkgraph {
+namespace {
+
+// One radio on one floor.
+class CellFeeder {
+ public:
+  CellFeeder(const Site& site, int floor, Radio radio, const MufafSettings& settings,
+             const WknnSettings& wknn)
+      : site_(site),
+        floor_(floor),
+        radio_(radio),
+        settings_(settings),
+        wknn_(wknn),
+        cells_(site, floor, radio, settings.cell_m, wknn.max_age_s, wknn.missing_dbm),
+        adaptive_(cells_.map(), settings.update) {}
+
+  void Feed(const SurveyWalk& walk, std::uint32_t number, CellUpdate* update) {
+    if (cells_.map().size() < 2) return;
+    for (const QueryScan& scan :
+         CollectQueryScans(site_, *walk.evidence, wknn_.max_age_s, radio_)) {
+      const PoseEstimate pose = walk.trajectory.At(scan.time_ns);
+      const std::optional<Eigen::VectorXd> signals = cells_.SignalsOf(scan.signal);
+      if (pose.floor != floor_ || !signals) continue;
+      ++update->offered;
+      const Eigen::Vector2d at = pose.position_m.head<2>();
+      const Eigen::VectorXd known = adaptive_.SignalsAt(at);
+      if (!adaptive_.Offer(at, *signals)) continue;
+      ++update->taken;
+      update->site.scans.push_back(ScanAt(at, scan, known, number));
+    }
+  }
+
+ private:
+  SurveyScan ScanAt(const Eigen::Vector2d& at, const QueryScan& scan, const Eigen::VectorXd& known,
+                    std::uint32_t walk) const {
+    const auto cell = static_cast<std::size_t>(adaptive_.map().NearestCell(at));
+    const Eigen::Vector2f center = adaptive_.map().centers_m()[cell].cast<float>();
+    SurveyScan added;
+    added.printed_ns = scan.time_ns;
+    added.walk = added.trial = walk;
+    added.floor = floor_;
+    added.radio = radio_;
+    if (settings_.update.store == StoreRule::kObserved) {
+      for (const SignalVector::Entry& entry : scan.signal.entries) {
+        added.readings.push_back({entry.transmitter, entry.rssi_dbm, 0.0F, center});
+      }
+      return added;
+    }
+    for (std::uint32_t t = 0; t < site_.transmitters.size(); ++t) {
+      const std::int32_t anchor = cells_.AnchorOf(t);
+      if (anchor < 0 || known(anchor) <= wknn_.missing_dbm) continue;
+      added.readings.push_back({t, static_cast<float>(known(anchor)), 0.0F, center});
+    }
+    return added;
+  }
+
+  const Site& site_;
+  int floor_;
+  Radio radio_;
+  const MufafSettings& settings_;
+  const WknnSettings& wknn_;
+  SiteCells cells_;
+  AdaptiveCellMap adaptive_;
+};
+
+std::uint32_t FirstFreeWalk(const Site& site) {
+  std::uint32_t next = 0;
+  for (const SurveyScan& scan : site.scans) next = std::max(next, scan.walk + 1);
+  return next;
+}
+
+}  // namespace
+
+CellUpdate UpdateSiteByCells(const Site& site, const std::vector<SurveyWalk>& walks,
+                             const TrainerSettings& trainer, const MufafSettings& settings,
+                             const WknnSettings& wknn) {
+  CellUpdate update{site};
+  for (const int floor : site.SurveyedFloors()) {
+    for (const Radio radio : kAllRadios) {
+      CellFeeder feeder(site, floor, radio, settings, wknn);
+      std::uint32_t number = FirstFreeWalk(site);
+      for (const SurveyWalk& walk : walks) {
+        if (!walk.trajectory.empty()) feeder.Feed(walk, number, &update);
+        ++number;
+      }
+    }
+  }
+  RetrainMaps(trainer, site, &update.site);
+  return update;
+}
+
+}  // namespace walkgraph
