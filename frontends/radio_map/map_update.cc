@@ -108,13 +108,6 @@ class ChangeFinder {
   std::map<std::size_t, double> silence_nats_;  // of never hearing it, by field
 };
 
-std::uint32_t NextWalk(const Site& site) {
-  std::uint32_t next = 0;
-  for (const SurveyScan& scan : site.scans) next = std::max(next, scan.walk + 1);
-  for (const SurveyPoint& point : site.path) next = std::max(next, point.walk + 1);
-  return next;
-}
-
 // Scans of the located walks as the site would have them; numbered after the survey's.
 std::vector<SurveyScan> ScansOf(const Site& site, const std::vector<SurveyWalk>& walks) {
   const std::uint32_t first = NextWalk(site);

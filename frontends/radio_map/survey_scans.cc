@@ -55,4 +55,11 @@ std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::si
   return scans;
 }
 
+std::uint32_t NextWalk(const Site& site) {
+  std::uint32_t next = 0;
+  for (const SurveyScan& scan : site.scans) next = std::max(next, scan.walk + 1);
+  for (const SurveyPoint& point : site.path) next = std::max(next, point.walk + 1);
+  return next;
+}
+
 }  // namespace walkgraph

@@ -24,6 +24,9 @@ std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::si
                                    Radio radio, const std::vector<std::int32_t>& site_index,
                                    double lag_s, const LagRange& placed);
 
+// The first number that no survey walk of the site has.
+std::uint32_t NextWalk(const Site& site);
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_SURVEY_SCANS_H_

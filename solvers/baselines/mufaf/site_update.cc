@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "frontends/radio_map/survey_scans.h"
 #include "solvers/baselines/mufaf/map_update.h"
 #include "solvers/baselines/mufaf/site_cells.h"
 
@@ -74,12 +75,6 @@ class CellFeeder {
   AdaptiveCellMap adaptive_;
 };
 
-std::uint32_t FirstFreeWalk(const Site& site) {
-  std::uint32_t next = 0;
-  for (const SurveyScan& scan : site.scans) next = std::max(next, scan.walk + 1);
-  return next;
-}
-
 }  // namespace
 
 CellUpdate UpdateSiteByCells(const Site& site, const std::vector<SurveyWalk>& walks,
@@ -89,7 +84,7 @@ CellUpdate UpdateSiteByCells(const Site& site, const std::vector<SurveyWalk>& wa
   for (const int floor : site.SurveyedFloors()) {
     for (const Radio radio : kAllRadios) {
       CellFeeder feeder(site, floor, radio, settings, wknn);
-      std::uint32_t number = FirstFreeWalk(site);
+      std::uint32_t number = NextWalk(site);
       for (const SurveyWalk& walk : walks) {
         if (!walk.trajectory.empty()) feeder.Feed(walk, number, &update);
         ++number;
