@@ -7,6 +7,7 @@
 #include "data/formats/csv.h"
 #include "data/formats/getsensordata.h"
 #include "data/formats/ilc20.h"
+#include "data/formats/swiblux.h"
 #include "data/formats/text_input.h"
 #include "data/input_error.h"
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr char kBuildingFile[] = "building.json";
 constexpr char kFloorplansFile[] = "floorplans.cal";
-constexpr char kKnownFormats[] = "an ilc20 or GetSensorData text file, or a folder of CSV files";
+constexpr char kKnownFormats[] = "an ilc20 or GetSensorData text file, a folder of CSV files, or a swiblux file";
 
 // Enough for the longest known header (GetSensorData, 5 KB) and the first records behind it.
 constexpr std::size_t kBeginningBytes = 16 * 1024;
@@ -28,6 +29,7 @@ std::string RecogniseFormat(const fs::path& path) {
   const std::string beginning = ReadFileBeginning(path.string(), kBeginningBytes);
   if (LooksLikeIlc20(beginning)) return "ilc20";
   if (LooksLikeGetSensorData(beginning)) return "getsensordata";
+  if (LooksLikeSwiblux(beginning)) return "swiblux";
   return "";
 }
 
@@ -58,6 +60,9 @@ std::optional<WalkFile> FindWalk(const fs::path& path, const fs::path& root) {
   walk.format = RecogniseFormat(path);
   if (walk.format.empty()) return std::nullopt;
   walk.id = WalkId(path, root);
+  if (walk.format == "swiblux" && path != root) {  // all radios' folders make one recording
+    walk.id = WalkId(path.parent_path().parent_path() / path.filename(), root);
+  }
   walk.trial = walk.id;
   if (walk.format == "ilc20") walk.floor = FloorFromLayout(path);
   if (walk.format == "getsensordata") walk.trial = GetSensorDataTrial(walk.id);
@@ -68,14 +73,23 @@ std::optional<WalkFile> FindWalk(const fs::path& path, const fs::path& root) {
   return walk;
 }
 
+// Whether a file in a data set may be a recording of its own.
+bool MayBeRecording(const fs::directory_entry& entry) {
+  if (entry.is_directory()) return true;
+  if (!entry.is_regular_file()) return false;
+  const fs::path extension = entry.path().extension();
+  return extension == ".txt" ||
+         (extension == ".csv" && StandsForSwibluxRecording(entry.path().string()));
+}
+
 void FindWalks(const fs::path& root, Dataset* dataset) {
   if (auto walk = FindWalk(root, root)) dataset->walks.push_back(*std::move(walk));
+  if (!fs::is_directory(root)) return;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
-    const bool text = entry.is_regular_file() && entry.path().extension() == ".txt";
-    if (!text && !entry.is_directory()) continue;
+    if (!MayBeRecording(entry)) continue;
     if (auto walk = FindWalk(entry.path(), root)) {
       dataset->walks.push_back(*std::move(walk));
-    } else if (text) {
+    } else if (!entry.is_directory()) {
       dataset->unrecognised.push_back(entry.path().string());
     }
   }
@@ -108,6 +122,8 @@ Building FindBuilding(const fs::path& root) {
       building = ReadFloorplansCal((folder / kFloorplansFile).string());
     } else if (IsIlc20Floor(folder.string())) {
       building.floors = {ReadIlc20Floor(folder.string())};
+    } else if (IsSwibluxSet(folder.string())) {
+      building.floors = {ReadSwibluxRoom(folder.string())};
     } else if (folder == root) {
       building.floors = ReadIlc20Site(folder);
     }
@@ -123,8 +139,8 @@ Building FindBuilding(const fs::path& root) {
 }  // namespace
 
 Dataset OpenDataset(const std::string& path) {
-  if (!fs::is_directory(path)) {
-    throw InputError(path, 0, "no such folder", "a folder with recorded walks");
+  if (!fs::exists(path)) {
+    throw InputError(path, 0, "no such file or folder", "recorded walks");
   }
   Dataset dataset;
   dataset.path = path;
@@ -135,7 +151,7 @@ Dataset OpenDataset(const std::string& path) {
     throw InputError(path, 0, error.what(), "a folder that can be listed");
   }
   if (dataset.walks.empty()) throw InputError(path, 0, "no recording found", kKnownFormats);
-  dataset.building = FindBuilding(root);
+  dataset.building = FindBuilding(fs::is_directory(root) ? root : root.parent_path());
   return dataset;
 }
 
@@ -148,7 +164,7 @@ WalkFile IdentifyWalk(const std::string& path) {
   return *std::move(walk);
 }
 
-Walk ReadWalk(const WalkFile& file) {
+Walk ReadWalk(const WalkFile& file, const ReaderSettings& settings) {
   Walk walk;
   if (file.format == "ilc20") {
     walk = ReadIlc20(ReadFileBytes(file.path), file.floor);
@@ -156,6 +172,8 @@ Walk ReadWalk(const WalkFile& file) {
     walk = ReadGetSensorData(ReadFileBytes(file.path));
   } else if (file.format == "csv") {
     walk = ReadCsvWalk(file.path);
+  } else if (file.format == "swiblux") {
+    walk = ReadSwiblux(file.path, settings);
   } else {
     throw InputError(file.path, 0, "unknown format '" + file.format + "'", kKnownFormats);
   }

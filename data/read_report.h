@@ -10,7 +10,7 @@ namespace walkgraph {
 // What a reader met in one file. Everything that did not become a sample is counted here under a
 // name, so that nothing is dropped silently; `walkgraph inspect` prints it.
 struct ReadReport {
-  std::string format;  // "ilc20", "getsensordata", "csv"
+  std::string format;  // "ilc20", "getsensordata", "csv", "swiblux"
   std::int64_t bytes = 0;
   std::int64_t lines = 0;
   bool cut_last_line = false;  // the file does not end in a newline and its last line is not whole

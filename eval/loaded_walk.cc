@@ -11,25 +11,13 @@
 
 namespace walkgraph {
 
-Dataset WalksAt(const std::string& path) {
-  Dataset single;
-  single.path = path;
-  try {
-    single.walks = {IdentifyWalk(path)};  // a file, or the folder of one walk
-  } catch (const InputError&) {
-    if (!std::filesystem::is_directory(path)) throw;
-    return OpenDataset(path);
-  }
-  return single;
-}
-
 LoadedWalk LoadWalk(const WalkFile& file, const Building& building,
                     const FrontendSettings& settings, bool floor_given) {
   LoadedWalk loaded;
   loaded.file = file;
   try {
     loaded.checksum = FileChecksum(file.path);
-    const Walk walk = ReadWalk(file);
+    const Walk walk = ReadWalk(file, settings.reader);
     loaded.truth = ToBuildingFrame(walk.truth, building);
     loaded.evidence = BuildEvidence(walk.recording, settings);
     loaded.evidence.id = file.id;

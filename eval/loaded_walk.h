@@ -21,10 +21,6 @@ struct LoadedWalk {
   std::string error;     // empty where the walk is usable
 };
 
-// The recording at `path` with an empty building, or the data set there. Throws InputError where
-// there is neither.
-Dataset WalksAt(const std::string& path);
-
 // Reads one walk. With `floor_given` the evidence carries the floor of the folder or, failing that,
 // of the first waypoint. Never throws on input: a walk that cannot be read has its error set.
 LoadedWalk LoadWalk(const WalkFile& file, const Building& building,

@@ -32,7 +32,7 @@ std::vector<LoadedWalk> FindWalks(const std::vector<std::string>& paths) {
   std::optional<InputError> first_error;
   for (const std::string& path : paths) {
     try {
-      for (const WalkFile& file : WalksAt(path).walks) {
+      for (const WalkFile& file : OpenDataset(path).walks) {
         walks.emplace_back();
         walks.back().file = file;
       }

@@ -1,6 +1,8 @@
 #ifndef WALKGRAPH_FRONTENDS_SETTINGS_H_
 #define WALKGRAPH_FRONTENDS_SETTINGS_H_
 
+#include "data/reader_settings.h"
+
 namespace walkgraph {
 
 // Parameters of the frontends. Like factors/settings.h, one Visit() per struct names every key
@@ -59,7 +61,9 @@ struct PressureSettings {
   double mean_s = 1.0;
 };
 
+// From a file to evidence.
 struct FrontendSettings {
+  ReaderSettings reader;
   GravityFilterSettings gravity;
   HandlingSettings handling;
   StepDetectorSettings steps;
@@ -109,6 +113,7 @@ void Visit(Visitor& v, PressureSettings& s) {
 }
 template <typename Visitor>
 void Visit(Visitor& v, FrontendSettings& s) {
+  v.Group("reader", s.reader);
   v.Group("gravity", s.gravity);
   v.Group("handling", s.handling);
   v.Group("steps", s.steps);

@@ -5,7 +5,6 @@
 #include "data/input_error.h"
 #include "eval/evaluate.h"
 #include "eval/inspect.h"
-#include "eval/loaded_walk.h"
 #include "eval/usage_error.h"
 #include "verbs.h"
 
@@ -24,9 +23,9 @@ void Print(const Inspection& inspection, const char* separator) {
 // Prints the walks at `path` and appends what was found.
 void InspectPath(const std::string& path, const FrontendSettings& settings,
                  std::vector<Inspection>* found) {
-  const Dataset walks = WalksAt(path);
+  const Dataset walks = OpenDataset(path);
   for (const WalkFile& file : walks.walks) {
-    found->push_back(InspectWalk(ReadWalk(file), walks.building, settings));
+    found->push_back(InspectWalk(ReadWalk(file, settings.reader), walks.building, settings));
     Print(found->back(), found->size() == 1 ? "" : FLAGS_json ? ",\n" : "\n");
   }
 }

@@ -76,21 +76,25 @@ for _ in $(seq 300); do
 done
 pkill -KILL -f -- "--shard=2/4" || { cat "$dir"/task_*.log; echo "nothing to kill"; exit 1; }
 
-# Over when the queue has been empty for two seconds: on a busy machine squeue fails now and then, and a
-# task that is being requeued is for a moment in no list.
-empty=0
+# Over when Slurm holds all four tasks for ended. The queue does not say it: a task that is being requeued is
+# for a moment in no list, and on a busy machine squeue fails now and then.
+ended_tasks() {
+  scontrol show job -o "$job" 2>/dev/null |
+    grep -cE 'ArrayTaskId=[0-9]+ .*JobState=(COMPLETED|FAILED|CANCELLED|TIMEOUT|NODE_FAIL) ' || true
+}
 for _ in $(seq 600); do
-  if queue=$(squeue -h -j "$job" 2>/dev/null) && [[ -z $queue ]]; then
-    ((++empty >= 10)) && break
-  else
-    empty=0
-  fi
+  [[ $(ended_tasks) -eq 4 ]] && break
   # A requeued job waits for the eligible time that Slurm gives it; the test does not.
   scontrol update JobId="${job}_2" StartTime=now 2>/dev/null || true
   sleep 0.2
 done
-grep -q requeued "$dir/task_2.log" || { cat "$dir"/task_2.log; echo "not requeued"; exit 1; }
+explain() {
+  cat "$dir"/task_*.log
+  scontrol show job -o "$job" || true
+  grep -E 'JobId=|error' "$dir/slurmctld.log" || true
+}
+grep -q requeued "$dir/task_2.log" || { explain; echo "not requeued"; exit 1; }
 
 "$walkgraph" ablate "${study[@]}" --out="$dir/single" >/dev/null 2>&1
-diff -r --exclude=run "$dir/single" "$dir/array" || { cat "$dir"/task_*.log; exit 1; }
+diff -r --exclude=run "$dir/single" "$dir/array" || { explain; exit 1; }
 echo "$(find "$dir/array" -name '*.json' | wc -l) files equal"
