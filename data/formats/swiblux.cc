@@ -24,6 +24,9 @@ constexpr char kLimitsFile[] = "Limits.csv";
 constexpr double kUnheardDbm = -92;
 constexpr double kSamePositionM = 0.01;
 constexpr TimeNs kRowNs = 1'000'000'000;
+// The route was walked after the survey: were their times the same, a reading of one could pass for a
+// reading of the other.
+constexpr TimeNs kTestBeginNs = 1'000'000 * kRowNs;
 
 struct RadioFolder {
   Radio radio;
@@ -119,9 +122,10 @@ void ReverseReadings(RadioTable* table) {
   }
 }
 
-void AddReadings(const RadioTable& table, bool keep_unheard, RecordingBuilder* builder) {
+void AddReadings(const RadioTable& table, TimeNs begin, bool keep_unheard,
+                 RecordingBuilder* builder) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const TimeNs time = static_cast<TimeNs>(i) * kRowNs;
+    const TimeNs time = begin + static_cast<TimeNs>(i) * kRowNs;
     for (std::size_t a = 0; a < table.anchors.size(); ++a) {
       const double rssi = table.rows[i].rssi_dbm[a];
       if (rssi <= kUnheardDbm && !keep_unheard) continue;
@@ -131,12 +135,12 @@ void AddReadings(const RadioTable& table, bool keep_unheard, RecordingBuilder* b
 }
 
 // The route of the first table, and how many rows of the others contradict it.
-void AddRoute(const std::vector<RadioTable>& tables, RecordingBuilder* builder,
+void AddRoute(const std::vector<RadioTable>& tables, TimeNs begin, RecordingBuilder* builder,
               ReadReport* report) {
   if (tables.empty()) return;
   const std::vector<Row>& route = tables.front().rows;
   for (std::size_t i = 0; i < route.size(); ++i) {
-    builder->AddWaypoint(static_cast<TimeNs>(i) * kRowNs, route[i].position, 0);
+    builder->AddWaypoint(begin + static_cast<TimeNs>(i) * kRowNs, route[i].position, 0);
   }
   for (const RadioTable& table : tables) {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -164,15 +168,16 @@ Walk ReadSwiblux(const std::string& path, const ReaderSettings& settings) {
   walk.report.format = "swiblux";
   RecordingBuilder builder(&walk.report);
   const bool test = fs::path(path).stem() == "Test";
+  const TimeNs begin = test ? kTestBeginNs : 0;
   std::vector<RadioTable> tables;
   for (const RadioFile& file : RadioFiles(path)) {
     RadioTable& table = tables.emplace_back(ReadTable(file, &walk.report));
     if (test && settings.swiblux_reverse_wifi_test && table.radio == Radio::kWifi) {
       ReverseReadings(&table);
     }
-    AddReadings(table, settings.swiblux_keep_unheard, &builder);
+    AddReadings(table, begin, settings.swiblux_keep_unheard, &builder);
   }
-  AddRoute(tables, &builder, &walk.report);
+  AddRoute(tables, begin, &builder, &walk.report);
   builder.Finish(&walk.recording, &walk.truth);
   return walk;
 }

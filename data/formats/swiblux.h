@@ -22,8 +22,8 @@ bool LooksLikeSwiblux(std::string_view beginning);
 // exists stands for it in a data set.
 bool StandsForSwibluxRecording(const std::string& path);
 
-// The recording that `path` is part of: row i of every radio is heard at second i, where the person
-// is at the position of the row. Rows whose position differs from the first radio's by more than a
+// The recording that `path` is part of: row i of every radio is heard at second i (of the test, at second
+// 1,000,000 + i), where the person is at the position of the row. Rows whose position differs from the first radio's by more than a
 // centimetre are counted as "position_disagreement" and stay with the first's. Throws InputError
 // where a file has a header of another kind.
 Walk ReadSwiblux(const std::string& path, const ReaderSettings& settings);

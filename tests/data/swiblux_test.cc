@@ -33,11 +33,11 @@ class Swiblux : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// RSSI of one radio's anchor at second i; 0 where there is none.
+// RSSI of one radio's anchor in the i-th second; 0 where there is none.
 double RssiAt(const Walk& walk, Radio radio, const std::string& anchor, int second) {
   for (const RadioRow& row : walk.recording.radio_rows) {
     const Transmitter& sender = walk.recording.transmitters[row.transmitter];
-    if (sender == Transmitter{radio, anchor} && row.printed_ns == second * TimeNs{1'000'000'000}) {
+    if (sender == Transmitter{radio, anchor} && row.printed_ns - walk.recording.begin_ns == second * TimeNs{1'000'000'000}) {
       return row.rssi_dbm;
     }
   }
@@ -67,6 +67,7 @@ TEST_F(Swiblux, RowIsAPositionAndItsReadingsAtSecondI) {
   ASSERT_EQ(walk.truth.waypoints.size(), 3U);
   EXPECT_EQ(walk.truth.waypoints[2].position, Eigen::Vector2d(5, 2));
   EXPECT_EQ(walk.truth.waypoints[2].time_ns, 2'000'000'000);
+  EXPECT_GT(Read("WIFI/Test.csv").recording.begin_ns, walk.recording.end_ns);
   EXPECT_FLOAT_EQ(RssiAt(walk, Radio::kWifi, "b", 1), -50.5);
   EXPECT_FLOAT_EQ(RssiAt(walk, Radio::kZigbee, "a", 2), -64);
   EXPECT_EQ(RssiAt(walk, Radio::kWifi, "a", 1), 0) << "-92 is not heard";
