@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr char kBuildingFile[] = "building.json";
 constexpr char kFloorplansFile[] = "floorplans.cal";
-constexpr char kKnownFormats[] = "an ilc20 or GetSensorData text file, a folder of CSV files, or a swiblux file";
+constexpr char kKnownFormats[] =
+    "an ilc20 or GetSensorData text file, a folder of CSV files, or a swiblux file";
 
 // Enough for the longest known header (GetSensorData, 5 KB) and the first records behind it.
 constexpr std::size_t kBeginningBytes = 16 * 1024;

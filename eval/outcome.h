@@ -8,6 +8,7 @@
 #include "data/time.h"
 #include "data/truth.h"
 #include "eval/metrics.h"
+#include "frontends/evidence/evidence.h"
 #include "solvers/estimator.h"
 
 namespace walkgraph {
@@ -29,6 +30,7 @@ struct WalkOutcome {
   double duration_s = 0;  // of the recording
   double survey_distance_m = std::numeric_limits<double>::quiet_NaN();
   Truth truth;                                 // building frame; the scored waypoints
+  std::vector<MotionState> motion;             // at each of them, as the evidence has it
   std::vector<WaypointError> centroid_errors;  // what a missing output is scored as
   std::vector<MethodOutcome> methods;          // in the order of Evaluation::methods
 };

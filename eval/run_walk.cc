@@ -13,6 +13,7 @@
 #include "eval/survey_distance.h"
 #include "frontends/radio_map/reading_lag.h"
 #include "frontends/radio_map/survey_positions.h"
+#include "graph/motion_model.h"
 
 namespace walkgraph {
 namespace {
@@ -85,6 +86,9 @@ WalkOutcome RunWalk(const WalkRunOptions& options, const Site& site,
   outcome.walk = walk.file.id;
   outcome.fold = fold;
   outcome.truth = walk.truth;
+  for (const Waypoint& waypoint : walk.truth.waypoints) {
+    outcome.motion.push_back(MotionStateAt(walk.evidence, waypoint.time_ns));
+  }
   outcome.duration_s = SecondsBetween(walk.evidence.begin_ns, walk.evidence.end_ns);
   outcome.survey_distance_m = SurveyDistance(site, walk.truth);
   outcome.centroid_errors = CentroidErrors(site, walk);

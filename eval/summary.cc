@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "eval/survey_distance.h"
 #include "eval/table.h"
@@ -48,11 +49,29 @@ WalkErrors ErrorsOf(const WalkOutcome& walk) {
   return errors;
 }
 
-WalkErrors OnFloor(WalkErrors walk, int floor) {
-  for (std::vector<WaypointError>& errors : walk) {
-    std::erase_if(errors, [&](const WaypointError& error) { return error.floor != floor; });
+// The errors at the waypoints for which `selected`, indexed like them, holds.
+WalkErrors AtWaypoints(const WalkErrors& walk, const std::vector<bool>& selected) {
+  WalkErrors kept(walk.size());
+  for (std::size_t m = 0; m < walk.size(); ++m) {
+    for (std::size_t i = 0; i < walk[m].size(); ++i) {
+      if (selected[i]) kept[m].push_back(walk[m][i]);
+    }
   }
-  return walk;
+  return kept;
+}
+
+std::vector<bool> OnFloor(const WalkOutcome& walk, int floor) {
+  std::vector<bool> selected;
+  for (const Waypoint& waypoint : walk.truth.waypoints) {
+    selected.push_back(waypoint.floor == floor);
+  }
+  return selected;
+}
+
+std::vector<bool> InMotion(const WalkOutcome& walk, MotionState state) {
+  std::vector<bool> selected(walk.truth.waypoints.size(), false);
+  for (std::size_t i = 0; i < walk.motion.size(); ++i) selected[i] = walk.motion[i] == state;
+  return selected;
 }
 
 double SumOf(const std::vector<WaypointError>& errors) {
@@ -101,32 +120,73 @@ SummarySection MakeSection(const std::string& name, const std::vector<std::strin
   return section;
 }
 
+// A walk that counts in the pooled sections, with the errors of the methods that ran.
+struct PooledWalk {
+  const WalkOutcome* walk = nullptr;
+  WalkErrors errors;
+};
+
+using Selection = std::function<std::vector<bool>(const WalkOutcome&)>;
+
+SummarySection MakeSelection(const std::string& name, const std::vector<std::string>& methods,
+                             const std::vector<PooledWalk>& pooled, const Selection& selection) {
+  std::vector<WalkErrors> selected;
+  for (const PooledWalk& walk : pooled) {
+    selected.push_back(AtWaypoints(walk.errors, selection(*walk.walk)));
+  }
+  return MakeSection(name, methods, selected);
+}
+
+void AppendFloors(const std::vector<std::string>& methods, const std::vector<PooledWalk>& pooled,
+                  const std::map<int, std::string>& floor_names,
+                  std::vector<SummarySection>* sections) {
+  std::set<int> floors;
+  for (const PooledWalk& walk : pooled) {
+    for (const Waypoint& waypoint : walk.walk->truth.waypoints) floors.insert(waypoint.floor);
+  }
+  for (const int floor : floors) {
+    const auto name = floor_names.find(floor);
+    const std::string title = name == floor_names.end() ? std::to_string(floor) : name->second;
+    sections->push_back(
+        MakeSelection("floor " + title, methods, pooled,
+                      [floor](const WalkOutcome& walk) { return OnFloor(walk, floor); }));
+  }
+}
+
+void AppendMotion(const std::vector<std::string>& methods, const std::vector<PooledWalk>& pooled,
+                  std::vector<SummarySection>* sections) {
+  std::vector<SummarySection> by_state;
+  for (const auto& [name, state] :
+       {std::pair("standing", MotionState::kStanding), {"walking", MotionState::kWalking}}) {
+    by_state.push_back(MakeSelection(
+        name, methods, pooled, [state](const WalkOutcome& walk) { return InMotion(walk, state); }));
+    if (by_state.back().rows.empty() || by_state.back().rows.front().errors.n == 0) return;
+  }
+  sections->insert(sections->end(), by_state.begin(), by_state.end());
+}
+
 }  // namespace
 
 std::vector<SummarySection> SummariseEvaluation(const Evaluation& evaluation,
                                                 const std::map<int, std::string>& floor_names) {
   const std::vector<std::size_t> ran = MethodsThatRan(evaluation);
   const std::vector<std::string> methods = Select(evaluation.methods, ran);
-  std::vector<WalkErrors> pooled, covered, all;
-  std::set<int> floors;
+  std::vector<PooledWalk> pooled, covered;
+  std::vector<WalkErrors> all;
   for (const WalkOutcome& walk : evaluation.walks) {
     if (!walk.finished || walk.truth.waypoints.empty()) continue;
     all.push_back(ErrorsOf(walk));
     if (ran.empty() || !HaveTrajectories(walk, ran)) continue;
-    pooled.push_back(Select(all.back(), ran));
+    pooled.push_back({&walk, Select(all.back(), ran)});
     if (walk.survey_distance_m < kCoveredDistanceM) covered.push_back(pooled.back());
-    for (const Waypoint& waypoint : walk.truth.waypoints) floors.insert(waypoint.floor);
   }
-  std::vector<SummarySection> sections = {MakeSection("pooled", methods, pooled),
-                                          MakeSection("covered", methods, covered)};
-  for (const int floor : floors) {
-    std::vector<WalkErrors> on_floor;
-    for (const WalkErrors& walk : pooled) on_floor.push_back(OnFloor(walk, floor));
-    const auto name = floor_names.find(floor);
-    sections.push_back(
-        MakeSection("floor " + (name == floor_names.end() ? std::to_string(floor) : name->second),
-                    methods, on_floor));
-  }
+  const Selection everywhere = [](const WalkOutcome& walk) {
+    return std::vector<bool>(walk.truth.waypoints.size(), true);
+  };
+  std::vector<SummarySection> sections = {MakeSelection("pooled", methods, pooled, everywhere),
+                                          MakeSelection("covered", methods, covered, everywhere)};
+  AppendFloors(methods, pooled, floor_names, &sections);
+  AppendMotion(methods, pooled, &sections);
   sections.push_back(MakeSection("all_walks", evaluation.methods, all));
   return sections;
 }

@@ -29,7 +29,7 @@ struct PairedDifference {
 
 // A selection of waypoints with a row per method.
 struct SummarySection {
-  std::string name;  // "pooled", "covered", "floor F1", "all_walks"
+  std::string name;  // "pooled", "covered", "floor F1", ...
   std::vector<SummaryRow> rows;
   std::vector<PairedDifference> differences;  // of every ordered pair of methods
 };
@@ -38,6 +38,8 @@ struct SummarySection {
 //   pooled     walks on which every method that ran at all gave a trajectory
 //   covered    of those, the walks nearer than 3 m to the survey
 //   floor X    of those, the waypoints on one floor (floors by increasing number)
+//   standing, walking  of those, the waypoints passed in one of these states of motion, where there
+//              are waypoints of both
 //   all_walks  every walk with waypoints, a missing output scored at the survey's centroid
 // Walks that are not finished count nowhere.
 std::vector<SummarySection> SummariseEvaluation(const Evaluation& evaluation,

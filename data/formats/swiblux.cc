@@ -24,8 +24,8 @@ constexpr char kLimitsFile[] = "Limits.csv";
 constexpr double kUnheardDbm = -92;
 constexpr double kSamePositionM = 0.01;
 constexpr TimeNs kRowNs = 1'000'000'000;
-// The route was walked after the survey: were their times the same, a reading of one could pass for a
-// reading of the other.
+// The route was walked after the survey: were their times the same, a reading of one could pass for
+// a reading of the other.
 constexpr TimeNs kTestBeginNs = 1'000'000 * kRowNs;
 
 struct RadioFolder {
@@ -159,8 +159,7 @@ bool LooksLikeSwiblux(std::string_view beginning) { return beginning.starts_with
 
 bool StandsForSwibluxRecording(const std::string& path) {
   const std::vector<RadioFile> files = RadioFiles(path);
-  return !files.empty() &&
-         files.front().path == fs::absolute(path).lexically_normal().string();
+  return !files.empty() && files.front().path == fs::absolute(path).lexically_normal().string();
 }
 
 Walk ReadSwiblux(const std::string& path, const ReaderSettings& settings) {
@@ -206,10 +205,8 @@ Floor ReadSwibluxRoom(const std::string& folder) {
   room.name = "room";
   room.min_corner = {limits[0], limits[2]};
   room.max_corner = {limits[1], limits[3]};
-  room.outline = {{room.min_corner,
-                   {limits[1], limits[2]},
-                   room.max_corner,
-                   {limits[0], limits[3]}}};
+  room.outline = {
+      {room.min_corner, {limits[1], limits[2]}, room.max_corner, {limits[0], limits[3]}}};
   return room;
 }
 

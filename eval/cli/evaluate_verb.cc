@@ -4,9 +4,9 @@
 #include "eval/usage_error.h"
 #include "verbs.h"
 
-DEFINE_string(train, "", "folder of walks to train on, in place of --dataset");
+DEFINE_string(train, "", "walks to train on (a folder or one recording), in place of --dataset");
 DEFINE_string(test, "",
-              "folder of walks to test on, in place of --dataset; for simulate the number of test "
+              "walks to test on, in place of --dataset; for simulate the number of test "
               "walks");
 DEFINE_string(methods, "", "comma-separated names; `walkgraph methods` lists them");
 

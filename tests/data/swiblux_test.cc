@@ -13,7 +13,8 @@ namespace {
 
 constexpr char kLimits[] = "limits\n-1\n9\n0\n4\n";
 constexpr char kWifi[] = "x;y;RSSI A;RSSI B\n1;2;-40;-92\n3;2;-92;-50.5\n5;2;-45;-55\n";
-constexpr char kZigbee[] = "x;y;RSSI A;RSSI B\n1;2;-60;-61\n3;2.5;-62;-63\n5;2;-64;-65\n7;2;-66;-67\n";
+constexpr char kZigbee[] =
+    "x;y;RSSI A;RSSI B\n1;2;-60;-61\n3;2.5;-62;-63\n5;2;-64;-65\n7;2;-66;-67\n";
 
 class Swiblux : public testing::Test {
  protected:
@@ -37,7 +38,8 @@ class Swiblux : public testing::Test {
 double RssiAt(const Walk& walk, Radio radio, const std::string& anchor, int second) {
   for (const RadioRow& row : walk.recording.radio_rows) {
     const Transmitter& sender = walk.recording.transmitters[row.transmitter];
-    if (sender == Transmitter{radio, anchor} && row.printed_ns - walk.recording.begin_ns == second * TimeNs{1'000'000'000}) {
+    if (sender == Transmitter{radio, anchor} &&
+        row.printed_ns - walk.recording.begin_ns == second * TimeNs{1'000'000'000}) {
       return row.rssi_dbm;
     }
   }
@@ -77,8 +79,8 @@ TEST_F(Swiblux, RowIsAPositionAndItsReadingsAtSecondI) {
 }
 
 TEST_F(Swiblux, UnheardAnchorsAreReadingsOnRequest) {
-  EXPECT_FLOAT_EQ(RssiAt(Read("WIFI/Test.csv", {.swiblux_keep_unheard = true}), Radio::kWifi, "a", 1),
-                  -92);
+  EXPECT_FLOAT_EQ(
+      RssiAt(Read("WIFI/Test.csv", {.swiblux_keep_unheard = true}), Radio::kWifi, "a", 1), -92);
 }
 
 TEST_F(Swiblux, ReversalConcernsTheWifiTestAlone) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace walkgraph {
@@ -68,6 +69,23 @@ TEST(Summary, CoveredWalksAndFloorsAreRowsOfTheirOwn) {
   EXPECT_NEAR(Row(sections, "floor G", 0).errors.mean_m, 4, 1e-12);  // 1, 3 and 8
   EXPECT_EQ(Row(sections, "floor U", 1).walks, 1);
   EXPECT_NEAR(Row(sections, "floor U", 1).errors.mean_m, 7, 1e-12);
+}
+
+bool HasSection(const std::vector<SummarySection>& sections, const std::string& name) {
+  return std::any_of(sections.begin(), sections.end(),
+                     [&](const SummarySection& section) { return section.name == name; });
+}
+
+TEST(Summary, StandingAndWalkingAreRowsOfTheirOwnWhereBothOccur) {
+  Evaluation evaluation = ThreeWalks();
+  EXPECT_FALSE(HasSection(SummariseEvaluation(evaluation, {}), "walking"));
+  evaluation.walks[0].motion = {MotionState::kStanding, MotionState::kWalking};
+  evaluation.walks[1].motion = {MotionState::kHandling, MotionState::kWalking};
+  evaluation.walks[2].motion = {MotionState::kStanding};  // not pooled
+  const auto sections = SummariseEvaluation(evaluation, {});
+  EXPECT_NEAR(Row(sections, "standing", 1).errors.mean_m, 2, 1e-12);
+  EXPECT_EQ(Row(sections, "walking", 0).errors.n, 2);
+  EXPECT_NEAR(Row(sections, "walking", 0).errors.mean_m, (3.0 + 10.0) / 2, 1e-12);
 }
 
 TEST(Summary, AMissingOutputCountsAsTheCentroidOverAllWalks) {
