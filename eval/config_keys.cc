@@ -19,6 +19,7 @@ std::span<const std::string_view> EnumNames(SurveyPositions /*tag*/) {
   return kSurveyPositionsNames;
 }
 std::span<const std::string_view> EnumNames(ReferenceArea /*tag*/) { return kReferenceAreaNames; }
+std::span<const std::string_view> EnumNames(AreaKind /*tag*/) { return kAreaKindNames; }
 std::span<const std::string_view> EnumNames(ErrorBlockMode /*tag*/) { return kErrorBlockModeNames; }
 std::span<const std::string_view> EnumNames(MapInterpolation /*tag*/) {
   return kMapInterpolationNames;

@@ -79,20 +79,22 @@ void WriteFileWholeVia(const std::string& scratch, const std::string& path,
 }
 
 void PrepareResultFolder(const std::string& dir) {
-  RequireEmptyFolder(dir, kResultEntries);
+  const std::string occupied = WhyOccupied(dir, kResultEntries);
+  if (!occupied.empty()) throw UsageError(occupied);
   for (const std::string& name : kResultEntries) fs::remove_all(fs::path(dir) / name);
   fs::create_directories(fs::path(dir) / "run");
 }
 
-void RequireEmptyFolder(const std::string& dir, const std::vector<std::string>& allowed) {
-  if (!fs::exists(dir)) return;
-  if (!fs::is_directory(dir)) throw UsageError("--out=" + dir + " is a file, expected a folder");
+std::string WhyOccupied(const std::string& dir, const std::vector<std::string>& allowed) {
+  if (!fs::exists(dir)) return "";
+  if (!fs::is_directory(dir)) return "--out=" + dir + " is a file, expected a folder";
   for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
     const std::string name = entry.path().filename().string();
     if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
-    throw UsageError("--out=" + dir + " holds \"" + name +
-                     "\", expected a new folder or one with results of an earlier run");
+    return "--out=" + dir + " holds \"" + name +
+           "\", expected a new folder or one with results of an earlier run";
   }
+  return "";
 }
 
 std::string TextChecksum(std::string_view text) { return HexDigits(HashText(text)); }

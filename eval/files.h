@@ -22,8 +22,9 @@ void WriteFileWholeVia(const std::string& scratch, const std::string& path,
 // earlier run. A folder that holds anything else is left alone: throws UsageError.
 void PrepareResultFolder(const std::string& dir);
 
-// Throws UsageError where `dir` is a file, or a folder that holds anything but `allowed`.
-void RequireEmptyFolder(const std::string& dir, const std::vector<std::string>& allowed);
+// What keeps `dir` from taking results: that it is a file, or a folder that holds anything but
+// `allowed`. Empty where nothing does.
+std::string WhyOccupied(const std::string& dir, const std::vector<std::string>& allowed);
 
 // FNV-1a hash of a text as 16 hexadecimal digits.
 std::string TextChecksum(std::string_view text);

@@ -16,6 +16,7 @@ const std::vector<FactorInfo>& FactorRegistry() {
       {PositionAnchorFactor::kName, "a surveyed point was passed"},
       {BarometricFactor::kName, "the height is the barometer's, up to a slow offset"},
       {LevelFactor::kName, "on a level the height is the level's"},
+      {AreaFactor::kName, "people are where the plan or the survey says that people walk"},
   };
   return kRegistry;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "factors/absolute_heading.h"
+#include "factors/area.h"
 #include "factors/barometric.h"
 #include "factors/fingerprint.h"
 #include "factors/gauss_markov.h"
@@ -24,7 +25,7 @@ struct FactorList {};
 using RegisteredFactors =
     FactorList<StepFactor, HeadingIncrementFactor, AbsoluteHeadingFactor, PositionHoldFactor,
                FingerprintFactor, HearingFactor, RandomWalkFactor, GaussMarkovFactor,
-               StatePriorFactor, PositionAnchorFactor, BarometricFactor, LevelFactor>;
+               StatePriorFactor, PositionAnchorFactor, BarometricFactor, LevelFactor, AreaFactor>;
 
 struct FactorInfo {
   std::string_view name;

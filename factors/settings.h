@@ -130,6 +130,19 @@ struct LevelSettings {
 };
 
 // What the discrete floor model assumes. Our choice, spread and background looked at on ipin2023.
+enum class AreaKind : std::uint8_t {
+  kNone,      // a walk may lead anywhere
+  kWalkable,  // the floor's outline without its obstacles; nothing where the plan has no outline
+  kSurveyed,  // within reach of a survey path
+};
+inline constexpr std::array<std::string_view, 3> kAreaKindNames = {"none", "walkable", "surveyed"};
+
+struct AreaSettings {
+  AreaKind kind = AreaKind::kNone;
+  double reach_m = 3;  // of a survey path
+  double sigma_m = 1;  // how far outside a person gets who spends a second there
+};
+
 struct FloorSettings {
   double stay_s = 300;
   double change_s = 20;
@@ -158,6 +171,7 @@ struct FactorSettings {
   BarometricSettings barometric;
   BarometricOffsetSettings barometric_offset;
   LevelSettings level;
+  AreaSettings area;
   FloorSettings floor;
   PriorSettings prior;
 };
@@ -266,6 +280,14 @@ void Visit(Visitor& v, LevelSettings& s) {
           "random walk of the height between levels, m per sqrt(s)");
 }
 template <typename Visitor>
+void Visit(Visitor& v, AreaSettings& s) {
+  v.Field(
+      "kind", s.kind,
+      "where people walk: none (anywhere), walkable (the plan) or surveyed (near survey paths)");
+  v.Field("reach_m", s.reach_m, "a place this near a survey path is in the surveyed area, m");
+  v.Field("sigma_m", s.sigma_m, "distance outside of a person who spends a second there, m");
+}
+template <typename Visitor>
 void Visit(Visitor& v, FloorSettings& s) {
   v.Field("stay_s", s.stay_s, "mean time on a floor, s");
   v.Field("change_s", s.change_s, "mean time between floors, s");
@@ -295,6 +317,7 @@ void Visit(Visitor& v, FactorSettings& s) {
   v.Group("barometric", s.barometric);
   v.Group("barometric_offset", s.barometric_offset);
   v.Group("level", s.level);
+  v.Group("area", s.area);
   v.Group("floor", s.floor);
   v.Group("prior", s.prior);
 }

@@ -42,6 +42,8 @@ void CheckSettings(const FactorSettings& s) {
   CheckPositive("barometric_offset.knot_s", s.barometric_offset.knot_s);
   CheckPositive("level.sigma_m", s.level.sigma_m);
   CheckPositive("level.climb_m_per_sqrt_s", s.level.climb_m_per_sqrt_s);
+  CheckPositive("area.reach_m", s.area.reach_m);
+  CheckPositive("area.sigma_m", s.area.sigma_m);
   CheckPositive("prior.position_sigma_m", s.prior.position_sigma_m);
 }
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "factors/absolute_heading.h"
+#include "factors/area.h"
 #include "factors/heading_increment.h"
 #include "factors/loss.h"
 #include "factors/position_hold.h"
@@ -41,6 +44,7 @@ class WalkGraphBuilder {
     AddTurns();
     AddAbsoluteHeadings();
     AddAbsolutePositions(site_, evidence_, settings_, &walk_);
+    AddAreas();
     walk_.prior_values = walk_.graph.values();
     return std::move(walk_);
   }
@@ -161,6 +165,41 @@ class WalkGraphBuilder {
           Interpolate(headings, time) + site_.HeadingToBuilding(),
           std::sqrt((absolute.sigma_rad * absolute.sigma_rad + own * own) * repeats)};
       Add(MakeGraphFactor(factor, {walk_.heading[i], offset.At(time)}), absolute.loss, time);
+    }
+  }
+
+  // The area of a floor; none where neither plan nor survey knows one.
+  std::optional<AreaField> AreaOf(int floor) const {
+    constexpr double kSpacingM = 0.5;
+    AreaRaster raster;
+    if (settings_.area.kind == AreaKind::kWalkable) {
+      const Floor* plan = site_.building.FindFloor(floor);
+      if (plan != nullptr) raster = WalkableRaster(*plan, kSpacingM);
+    } else {
+      std::vector<Eigen::Vector2d> path;
+      for (const SurveyPoint& point : site_.path) {
+        if (point.floor == floor) path.push_back(point.position_m);
+      }
+      raster = PathRaster(path, settings_.area.reach_m, kSpacingM);
+    }
+    if (!HasInside(raster)) return std::nullopt;
+    return AreaField(raster);
+  }
+
+  void AddAreas() {
+    if (settings_.area.kind == AreaKind::kNone) return;
+    std::map<int, std::optional<AreaField>> areas;
+    for (std::size_t i = 0; i < nodes(); ++i) {
+      const int floor = walk_.floors.At(walk_.node_ns[i]);
+      const auto found = areas.find(floor);
+      const auto& area = found != areas.end() ? found->second : areas[floor] = AreaOf(floor);
+      if (!area) continue;
+      // A node stands for its share of the walk, so that more nodes are no more evidence.
+      const double sigma_m =
+          settings_.area.sigma_m / std::sqrt(std::max(NodeShareSeconds(i), 1e-3));
+      GraphFactor factor = MakeGraphFactor(AreaFactor{*area, sigma_m}, {walk_.position[i]});
+      factor.arrival_ns = walk_.node_ns[i];
+      walk_.graph.AddFactor(std::move(factor));
     }
   }
 

@@ -208,14 +208,17 @@ std::vector<Part> PartsOf(const Study& study, const StudyRecord& record) {
 
 // Creates the folder, or checks that what it holds belongs to this study.
 void OpenStudyFolder(const std::string& out, const StudyRecord& record) {
+  // The folder is read before the record. Shards start together, and each writes the record before
+  // anything else: read the other way round, one would take another's record for a stranger's file.
+  const std::string occupied = WhyOccupied(out, {"run"});
   if (const std::optional<StudyRecord> earlier = ReadStudyRecord(out)) {
     const std::string difference = DifferenceOfInputs(record, *earlier);
     if (!difference.empty()) {
       throw UsageError("--out=" + out + " holds results of another study: " + difference +
                        "; expected a new folder or the same version and inputs");
     }
-  } else {
-    RequireEmptyFolder(out, {"run"});
+  } else if (!occupied.empty()) {
+    throw UsageError(occupied);
   }
   WriteFileWholeVia(out + "/run/unfinished", out + "/study.json", FormatStudyRecord(record));
 }

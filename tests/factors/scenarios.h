@@ -253,6 +253,25 @@ struct Scenario<LevelFactor> : StructScenario<LevelFactor> {
   Scenario Moved(const Motion&) const { return *this; }
 };
 
+// An L of two halls in a box of 30 m.
+template <>
+struct Scenario<AreaFactor> : StructScenario<AreaFactor> {
+  static constexpr bool kGaussian = false;
+  static std::vector<BlockKind> kinds() { return {BlockKind::kPosition}; }
+  static Floor Halls(const Motion& motion) {
+    Floor floor;
+    floor.outline.emplace_back();
+    for (const Eigen::Vector2d& corner :
+         {Eigen::Vector2d(4, 4), {26, 4}, {26, 9}, {10, 9}, {10, 26}, {4, 26}}) {
+      floor.outline.back().push_back(motion.Move(corner));
+    }
+    return floor;
+  }
+  explicit Scenario(Random* /*random*/, const Motion& motion = {})
+      : StructScenario{{AreaField(WalkableRaster(Halls(motion), 0.5)), 0.7}} {}
+  Scenario Moved(const Motion& motion) const { return Scenario(nullptr, motion); }
+};
+
 }  // namespace walkgraph::testing
 
 #endif  // WALKGRAPH_TESTS_FACTORS_SCENARIOS_H_

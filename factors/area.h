@@ -1,0 +1,35 @@
+#ifndef WALKGRAPH_FACTORS_AREA_H_
+#define WALKGRAPH_FACTORS_AREA_H_
+
+#include <string_view>
+
+#include "factors/area_field.h"
+#include "factors/cost.h"
+
+namespace walkgraph {
+
+// People are where people walk: r = max(0, d(p)) / sigma with d the signed distance from the border
+// of the area. It says nothing inside, so that it never makes a pose there look better known than
+// it is, and pulls back, the harder the farther out, where plan or survey end. Block: position.
+struct AreaFactor {
+  static constexpr std::string_view kName = "area";
+  static constexpr int kDimension = 1;
+  using Blocks = BlockSizes<2>;
+
+  AreaField field;
+  double sigma_m = 1;
+
+  template <typename T>
+  bool operator()(const T* p, T* residual) const {
+    const T distance_m = field.At(p[0], p[1]);
+    residual[0] = distance_m > T(0) ? distance_m / sigma_m : T(0);
+    return true;
+  }
+
+  // No density over positions: the same constant wherever the walk lies, left out.
+  double LogNormaliser() const { return 0; }
+};
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FACTORS_AREA_H_
