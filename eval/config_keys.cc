@@ -9,7 +9,7 @@
 namespace walkgraph {
 namespace {
 
-constexpr std::array<std::string_view, 3> kLossNames = {"none", "huber", "cauchy"};
+constexpr std::array<std::string_view, 4> kLossNames = {"none", "huber", "cauchy", "truncated"};
 constexpr std::array<std::string_view, 3> kStateModeNames = {"active", "fixed", "absent"};
 constexpr std::array<std::string_view, 2> kSurveyPositionsNames = {"walked_distance", "smoother"};
 

@@ -7,16 +7,19 @@
 #include <memory>
 
 #include "factors/settings.h"
+#include "factors/truncated_loss.h"
 
 namespace walkgraph {
 
-// The Ceres loss of a configuration; nothing for LossKind::kNone.
-inline std::unique_ptr<ceres::LossFunction> MakeLoss(const LossSettings& settings) {
+// The Ceres loss of a configuration for a factor of one or two rows; nothing for LossKind::kNone.
+inline std::unique_ptr<ceres::LossFunction> MakeLoss(const LossSettings& settings, int rows) {
   switch (settings.kind) {
     case LossKind::kHuber:
       return std::make_unique<ceres::HuberLoss>(settings.scale);
     case LossKind::kCauchy:
       return std::make_unique<ceres::CauchyLoss>(settings.scale);
+    case LossKind::kTruncated:
+      return std::make_unique<TruncatedLoss>(ChiSquareThreshold(settings.scale, rows));
     case LossKind::kNone:
       break;
   }
@@ -24,7 +27,8 @@ inline std::unique_ptr<ceres::LossFunction> MakeLoss(const LossSettings& setting
 }
 
 // A row of a residual under a loss of its own, for factors of many rows of which each may be an
-// outlier: value = sign(z) sqrt(rho(z^2)), so that half its square is the robust cost.
+// outlier: value = sign(z) sqrt(rho(z^2)), so that half its square is the robust cost. Huber and
+// Cauchy alone: the truncated loss is for whole factors.
 struct RobustRow {
   double value = 0;
   double slope = 1;  // d value / d z

@@ -13,12 +13,14 @@ namespace walkgraph {
 // are all made from it. A visitor has `Field(key, value&, documentation)` and `Group(key,
 // struct&)`. Sigmas are what one sample deviates, in the unit of the name; none is a weight.
 
-enum class LossKind : std::uint8_t { kNone, kHuber, kCauchy };
+enum class LossKind : std::uint8_t { kNone, kHuber, kCauchy, kTruncated };
 
 // Robust loss on a whitened residual's norm.
 struct LossSettings {
   LossKind kind = LossKind::kNone;
-  double scale = 2.0;  // whitened norm where the loss leaves the parabola
+  // Whitened norm where the loss leaves the parabola. Truncated: of a single row; one of two rows is
+  // cut at the norm that is as rare (chi-square).
+  double scale = 2.0;
 };
 
 // A slow state is estimated, held at its prior mean, or left out of the model (as if exactly zero).
@@ -178,7 +180,7 @@ struct FactorSettings {
 
 template <typename Visitor>
 void Visit(Visitor& v, LossSettings& s) {
-  v.Field("loss", s.kind, "robust loss on the whitened norm: none, huber or cauchy");
+  v.Field("loss", s.kind, "robust loss on the whitened norm: none, huber, cauchy or truncated");
   v.Field("loss_scale", s.scale, "whitened norm where the loss leaves the parabola");
 }
 template <typename Visitor>

@@ -24,6 +24,10 @@ void CheckSettings(const FactorSettings& s) {
   CheckPositive("absolute_heading.sigma_rad", s.absolute_heading.sigma_rad);
   CheckPositive("standing.sigma_mps", s.standing.sigma_mps);
   CheckPositive("standing.unseen_mps", s.standing.unseen_mps);
+  if (s.fingerprint.loss.kind == LossKind::kTruncated) {
+    throw std::invalid_argument(
+        "fingerprint.loss is truncated, expected none, huber or cauchy: every reading has its own");
+  }
   CheckPositive("gyro_bias.prior_sigma_radps", s.gyro_bias.prior_sigma_radps);
   CheckPositive("gyro_bias.walk_radps_per_sqrt_s", s.gyro_bias.walk_radps_per_sqrt_s);
   CheckPositive("gyro_bias.knot_s", s.gyro_bias.knot_s);

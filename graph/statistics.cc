@@ -21,7 +21,7 @@ FactorFit FitOf(const FactorGraph& graph, const GraphFactor& factor) {
   for (const int block : factor.blocks) blocks.push_back(graph.value(block));
   Eigen::VectorXd residual(factor.cost->num_residuals());
   factor.cost->Evaluate(blocks.data(), residual.data(), nullptr);
-  const std::unique_ptr<ceres::LossFunction> row_loss = MakeLoss(factor.row_loss);
+  const std::unique_ptr<ceres::LossFunction> row_loss = MakeLoss(factor.row_loss, 1);
   const ceres::LossFunction* loss = row_loss ? row_loss.get() : factor.loss.get();
   FactorFit fit{factor.type, factor.arrival_ns, 0, factor.dimension, 0, 0};
   for (int first = 0; first < factor.whitened_rows; first += factor.dimension) {

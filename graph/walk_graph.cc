@@ -55,7 +55,7 @@ class WalkGraphBuilder {
   TimeNs end_ns() const { return walk_.node_ns.back(); }
 
   void Add(GraphFactor factor, const LossSettings& loss, TimeNs arrival_ns) {
-    factor.loss = MakeLoss(loss);
+    factor.loss = MakeLoss(loss, factor.cost->num_residuals());
     factor.arrival_ns = arrival_ns;
     walk_.graph.AddFactor(std::move(factor));
   }
@@ -199,6 +199,7 @@ class WalkGraphBuilder {
           settings_.area.sigma_m / std::sqrt(std::max(NodeShareSeconds(i), 1e-3));
       GraphFactor factor = MakeGraphFactor(AreaFactor{*area, sigma_m}, {walk_.position[i]});
       factor.arrival_ns = walk_.node_ns[i];
+      factor.whitened_rows = 0;  // no measurement
       walk_.graph.AddFactor(std::move(factor));
     }
   }

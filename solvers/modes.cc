@@ -15,7 +15,7 @@
 #include "graph/marginal_covariance.h"
 #include "graph/posterior.h"
 #include "graph/variance_component.h"
-#include "solvers/graph_solver.h"
+#include "solvers/graduation.h"
 
 namespace walkgraph {
 namespace {
@@ -185,7 +185,7 @@ Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
   // Without any absolute position the start is the answer on the plan: all that a solve could do is
   // to pull the walk's first node to the middle of the floor.
   const bool placed = walk->first_absolute_position_ns.has_value();
-  if (!SolveGraph(placed ? part : HeightPart(*walk, part), settings, &walk->graph).ok) {
+  if (!SolveGraduated(placed ? part : HeightPart(*walk, part), settings, &walk->graph).ok) {
     ++*failed_solves;
   }
   return {start.source, walk->graph.values(), NegativeLogDensity(walk->graph, part), 0, {}};
