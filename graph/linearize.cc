@@ -93,6 +93,7 @@ LinearSystem Linearize(const FactorGraph& graph, const std::vector<int>& factors
   }
   system.factors.reserve(factors.size());
   for (const int factor : factors) {
+    if (graph.factor(factor).one_sided) continue;
     LinearFactor linear = LinearizeFactor(graph, factor, point, index);
     if (!linear.blocks.empty()) system.factors.push_back(std::move(linear));
   }

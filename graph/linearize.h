@@ -43,7 +43,7 @@ struct LinearizationPoint {
 LinearFactor LinearizeFactor(const FactorGraph& graph, int factor, const LinearizationPoint& point,
                              const VariableIndex& index);
 
-// The given factors linearised, those on constant blocks only left out.
+// The given factors linearised, without those on constant blocks only and the one-sided ones.
 LinearSystem Linearize(const FactorGraph& graph, const std::vector<int>& factors,
                        const LinearizationPoint& point, const VariableIndex& index);
 

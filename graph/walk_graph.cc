@@ -199,6 +199,7 @@ class WalkGraphBuilder {
           settings_.area.sigma_m / std::sqrt(std::max(NodeShareSeconds(i), 1e-3));
       GraphFactor factor = MakeGraphFactor(AreaFactor{*area, sigma_m}, {walk_.position[i]});
       factor.arrival_ns = walk_.node_ns[i];
+      factor.one_sided = true;
       factor.whitened_rows = 0;  // no measurement
       walk_.graph.AddFactor(std::move(factor));
     }
