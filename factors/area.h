@@ -1,10 +1,13 @@
 #ifndef WALKGRAPH_FACTORS_AREA_H_
 #define WALKGRAPH_FACTORS_AREA_H_
 
+#include <optional>
 #include <string_view>
 
 #include "factors/area_field.h"
 #include "factors/cost.h"
+#include "factors/settings.h"
+#include "frontends/radio_map/site.h"
 
 namespace walkgraph {
 
@@ -29,6 +32,10 @@ struct AreaFactor {
   // No density over positions: the same constant wherever the walk lies, left out.
   double LogNormaliser() const { return 0; }
 };
+
+// The area of a floor that the settings ask for; none where they ask for none, or where neither
+// plan nor survey knows one.
+std::optional<AreaField> AreaOfFloor(const Site& site, int floor, const AreaSettings& settings);
 
 }  // namespace walkgraph
 

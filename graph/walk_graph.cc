@@ -168,31 +168,15 @@ class WalkGraphBuilder {
     }
   }
 
-  // The area of a floor; none where neither plan nor survey knows one.
-  std::optional<AreaField> AreaOf(int floor) const {
-    constexpr double kSpacingM = 0.5;
-    AreaRaster raster;
-    if (settings_.area.kind == AreaKind::kWalkable) {
-      const Floor* plan = site_.building.FindFloor(floor);
-      if (plan != nullptr) raster = WalkableRaster(*plan, kSpacingM);
-    } else {
-      std::vector<Eigen::Vector2d> path;
-      for (const SurveyPoint& point : site_.path) {
-        if (point.floor == floor) path.push_back(point.position_m);
-      }
-      raster = PathRaster(path, settings_.area.reach_m, kSpacingM);
-    }
-    if (!HasInside(raster)) return std::nullopt;
-    return AreaField(raster);
-  }
-
   void AddAreas() {
     if (settings_.area.kind == AreaKind::kNone) return;
     std::map<int, std::optional<AreaField>> areas;
     for (std::size_t i = 0; i < nodes(); ++i) {
       const int floor = walk_.floors.At(walk_.node_ns[i]);
       const auto found = areas.find(floor);
-      const auto& area = found != areas.end() ? found->second : areas[floor] = AreaOf(floor);
+      const auto& area = found != areas.end()
+                             ? found->second
+                             : areas[floor] = AreaOfFloor(site_, floor, settings_.area);
       if (!area) continue;
       // A node stands for its share of the walk, so that more nodes are no more evidence.
       const double sigma_m =

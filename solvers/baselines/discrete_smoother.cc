@@ -3,8 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "data/angle.h"
+#include "factors/area.h"
 #include "factors/map_sweeps.h"
 #include "solvers/baselines/discrete_motion.h"
 #include "solvers/baselines/lattice.h"
@@ -57,6 +60,27 @@ class Emissions {
       nats_[epoch][c] += static_cast<float>(0.5 * squared / variance);
     }
     any_ = true;
+  }
+
+  // Every epoch stands for its share of the walk, as a node of the graph does.
+  void AddAreas(const Site& site, const AreaSettings& settings, const FloorPath& floors) {
+    std::map<int, std::vector<float>> cost_of_floor;
+    for (const int floor : floors.Floors()) {
+      const std::optional<AreaField> area = AreaOfFloor(site, floor, settings);
+      if (!area) continue;
+      std::vector<float>& cost = cost_of_floor[floor];
+      const double epoch_s = SecondsBetween(times_[0], times_[1]);
+      for (const Eigen::Vector2d& center : lattice_.centers_m()) {
+        const double outside_m = std::max(0.0, area->At(center.x(), center.y()));
+        const double sigmas = outside_m / settings.sigma_m;
+        cost.push_back(static_cast<float>(0.5 * sigmas * sigmas * epoch_s));
+      }
+    }
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      const auto found = cost_of_floor.find(floors.At(times_[k]));
+      if (found == cost_of_floor.end()) continue;
+      for (std::size_t c = 0; c < lattice_.size(); ++c) nats_[k][c] += found->second[c];
+    }
   }
 
   double QuantisationVariance() const { return lattice_.spacing_m() * lattice_.spacing_m() / 12.0; }
@@ -187,6 +211,7 @@ std::vector<DiscretePath> SmoothOnLattice(const Site& site, const Evidence& evid
     if (anchor.floor == floors.At(anchor.time_ns)) emissions.AddAnchor(anchor);
   }
   if (!emissions.any()) return {};
+  emissions.AddAreas(site, factors.area, floors);
 
   const std::vector<TimeNs>& times = emissions.times();
   const HeadingBins bins =
