@@ -48,7 +48,8 @@ Transition MakeTransition(const Evidence& evidence, const DeadReckonedPath& walk
   const double seconds = SecondsBetween(begin, end);
   double variance = standing.sigma_mps * standing.sigma_mps * seconds;
   // Without an accelerometer nobody knows whether the person walks.
-  if (evidence.motion.empty()) variance = std::pow(standing.unseen_mps * seconds, 2);
+  if (evidence.motion.empty() && evidence.steps.empty())
+    variance = std::pow(standing.unseen_mps * seconds, 2);
   if (walk.source == HeadingSource::kNone) {
     variance += 0.5 * distance * distance;
   } else {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "solvers/baselines/discrete_motion.h"
 #include "solvers/baselines/lattice.h"
 
 namespace walkgraph {
@@ -118,6 +119,21 @@ TEST_F(BruteForceTest, PathsAreDistinctAndBestFirst) {
       EXPECT_GE(apart, 0.8);
     }
   }
+}
+
+TEST(MakeTransitionTest, NobodyStandsWhomNoAccelerometerSaw) {
+  Evidence evidence;
+  const DeadReckonedPath walk = DeadReckon(Site(), evidence, {});
+  const TimeNs end = 4 * kNsPerSecond;
+  FactorSettings factors;
+  factors.standing.sigma_mps = 0.1;
+  factors.standing.unseen_mps = 1.5;
+  const double rounding = 1.5 * 1.5 / 6;  // of both ends to cells of 1.5 m
+  EXPECT_NEAR(MakeTransition(evidence, walk, 0, end, factors, {}).variance_m2,
+              std::pow(1.5 * 4, 2) + rounding, 1e-9);
+  evidence.motion.push_back({0, end, MotionState::kStanding});
+  EXPECT_NEAR(MakeTransition(evidence, walk, 0, end, factors, {}).variance_m2,
+              0.1 * 0.1 * 4 + rounding, 1e-9);
 }
 
 // Between epochs the path runs along the dead reckoning, turned by the heading offset, and meets
