@@ -93,7 +93,7 @@ explain() {
   scontrol show job -o "$job" || true
   grep -E 'JobId=|error' "$dir/slurmctld.log" || true
 }
-grep -q requeued "$dir/task_2.log" || { explain; echo "not requeued"; exit 1; }
+scontrol show job -o "${job}_2" | grep -q ' Restarts=1 ' || { explain; echo "not requeued"; exit 1; }
 
 "$walkgraph" ablate "${study[@]}" --out="$dir/single" >/dev/null 2>&1
 diff -r --exclude=run "$dir/single" "$dir/array" || { explain; exit 1; }
