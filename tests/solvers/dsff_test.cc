@@ -29,17 +29,7 @@ struct Walk {
   Evidence evidence;
   std::vector<Eigen::Vector2d> truth;  // by second
 
-  Trajectory TrueTrajectory() const {
-    Trajectory trajectory;
-    for (std::size_t t = 0; t < truth.size(); ++t) {
-      PoseEstimate pose;
-      pose.time_ns = SyntheticSite::At(static_cast<double>(t));
-      pose.position_m.head<2>() = truth[t];
-      pose.floor = 1;
-      trajectory.poses.push_back(pose);
-    }
-    return trajectory;
-  }
+  Trajectory TrueTrajectory() const { return testing::TrueTrajectory(truth); }
 };
 
 Walk MakeWalk(SyntheticSite* site, const std::vector<Eigen::Vector2d>& corners) {

@@ -29,15 +29,7 @@ class LocatedWalks {
       if (silences) {
         std::erase_if(readings, [](const RadioReading& r) { return r.transmitter == 1; });
       }
-      Trajectory trajectory;
-      for (std::size_t t = 0; t < truth.size(); ++t) {
-        PoseEstimate pose;
-        pose.time_ns = SyntheticSite::At(static_cast<double>(t));
-        pose.position_m.head<2>() = truth[t];
-        pose.floor = 1;
-        trajectory.poses.push_back(pose);
-      }
-      trajectories_.push_back(trajectory);
+      trajectories_.push_back(testing::TrueTrajectory(truth));
     }
     for (std::size_t i = 0; i < evidence_.size(); ++i) {
       walks_.push_back({&evidence_[i], trajectories_[i], "trial" + std::to_string(i)});

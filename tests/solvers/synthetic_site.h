@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <random>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "data/time.h"
+#include "data/trajectory.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
 
@@ -169,6 +171,19 @@ class SyntheticSite {
   std::mt19937 random_;
   std::vector<Eigen::Vector2d> positions_;
 };
+
+// A walk's truth, by second, as a trajectory on the site's floor.
+inline Trajectory TrueTrajectory(const std::vector<Eigen::Vector2d>& truth) {
+  Trajectory trajectory;
+  for (std::size_t t = 0; t < truth.size(); ++t) {
+    PoseEstimate pose;
+    pose.time_ns = SyntheticSite::At(static_cast<double>(t));
+    pose.position_m.head<2>() = truth[t];
+    pose.floor = 1;
+    trajectory.poses.push_back(pose);
+  }
+  return trajectory;
+}
 
 }  // namespace walkgraph::testing
 
