@@ -18,8 +18,8 @@ enum class LossKind : std::uint8_t { kNone, kHuber, kCauchy, kTruncated };
 // Robust loss on a whitened residual's norm.
 struct LossSettings {
   LossKind kind = LossKind::kNone;
-  // Whitened norm where the loss leaves the parabola. Truncated: of a single row; one of two rows is
-  // cut at the norm that is as rare (chi-square).
+  // Whitened norm where the loss leaves the parabola. Truncated: of a single row; one of two rows
+  // is cut at the norm that is as rare (chi-square).
   double scale = 2.0;
 };
 

@@ -14,16 +14,16 @@ inline double ChiSquareThreshold(double sigmas, int rows) {
   return rows == 1 ? sigmas * sigmas : -2.0 * std::log(std::erfc(sigmas / std::sqrt(2.0)));
 }
 
-// Truncated least squares: the parabola up to the threshold, constant beyond, so that an outlier of any
-// size has no say. Not convex; graduated non-convexity reaches it through a family of losses with a
-// control mu, which is the parabola at first and the truncated one in the end (Yang, Antonante, Tzoumas
-// and Carlone, Graduated Non-Convexity for Robust Spatial Perception, RA-L 2020). With c^2 the
-// threshold and s the squared norm:
+// Truncated least squares: the parabola up to the threshold, constant beyond, so that an outlier of
+// any size has no say. Not convex; graduated non-convexity reaches it through a family of losses
+// with a control mu, which is the parabola at first and the truncated one in the end (Yang,
+// Antonante, Tzoumas and Carlone, Graduated Non-Convexity for Robust Spatial Perception, RA-L
+// 2020). With c^2 the threshold and s the squared norm:
 //   s                                        s <= c^2 mu / (mu + 1)
 //   2 c sqrt(s mu (mu + 1)) - mu (c^2 + s)   between
 //   c^2                                      s >= c^2 (mu + 1) / mu
-// A ten-thousandth of the parabola stays everywhere: a cut factor that alone ties a state must not leave
-// it free.
+// A ten-thousandth of the parabola stays everywhere: a cut factor that alone ties a state must not
+// leave it free.
 class TruncatedLoss : public ceres::LossFunction {
  public:
   static constexpr double kFinalMu = 1e3;  // all but truncated
