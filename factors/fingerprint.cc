@@ -9,16 +9,6 @@
 namespace walkgraph {
 namespace {
 
-// The row sqrt(weight (2 cost + kRowOffset)) and the factor that turns the gradient of the cost
-// into that of the row. Rounding may leave a cost of zero a little below it.
-struct CostRow {
-  CostRow(double cost, double weight)
-      : value(std::sqrt(weight * (2.0 * std::max(cost, 0.0) + kRowOffset))),
-        slope(cost >= 0 ? weight / value : 0.0) {}
-  double value;
-  double slope;
-};
-
 FieldBasis BasisAt(const RadioMap& map, const double* position, const double* map_error) {
   return EvaluateBasis(map.grid, {position[0] + map_error[0], position[1] + map_error[1]});
 }
@@ -85,8 +75,7 @@ bool HearingFactor::Evaluate(const double* const* blocks, double* residual,
                              double** jacobians) const {
   const bool gradients = jacobians != nullptr;
   const FieldBasis basis = BasisAt(*map_, blocks[0], blocks[1]);
-  Eigen::Vector2d gradient;
-  double nats = map_->Silence(basis, &gradient);
+  auto [nats, gradient] = map_->Silence(basis);
   for (const MapSweep::Reading& reading : sweep_.readings) {
     const ScalarValue logit = map_->EvaluateLogitHear(reading.field, basis, gradients);
     nats -= logit.value;

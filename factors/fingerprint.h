@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "factors/cost_row.h"
 #include "factors/map_sweeps.h"
 #include "factors/settings.h"
 #include "frontends/radio_map/radio_map.h"
@@ -17,10 +18,8 @@ namespace walkgraph {
 // The likelihood of a scan has two halves, one factor type each. Both look the map up at
 //   u = x(t) + e,   x position, e map error,
 // and both are weighted by w = min(1, N_eff / N): the N readings of a scan are not independent.
-// A term c(u) >= 0 of a negative log likelihood that is no square becomes the row
-// sqrt(2 c + kRowOffset), whose half square has the gradient of c; the offset keeps the row smooth
-// where c vanishes and is taken out of the posterior again (see CostConstant).
-inline constexpr double kRowOffset = 1.0;
+// A term that is no square becomes a row of its own (see factors/cost_row.h), whose offset is taken
+// out of the posterior again (see CostConstant).
 
 // How strong the readings of (part of) a scan are. With m, s the map's mean and spread, s_min the
 // map's smallest, z_i the readings (dBm) and b the device's offset (dB), row i and the last row are

@@ -10,6 +10,7 @@ const std::vector<FactorInfo>& FactorRegistry() {
       {PositionHoldFactor::kName, "the position holds while nobody walks"},
       {FingerprintFactor::kName, "received signal strengths fit the radio map"},
       {HearingFactor::kName, "the transmitters heard and not heard fit the radio map"},
+      {MagneticFactor::kName, "the magnetic field fits the magnetic map"},
       {RandomWalkFactor::kName, "a slow state drifts from knot to knot"},
       {GaussMarkovFactor::kName, "the radio map's error fades with time"},
       {StatePriorFactor::kName, "a slow state before the walk"},

@@ -11,6 +11,7 @@
 #include "factors/gauss_markov.h"
 #include "factors/heading_increment.h"
 #include "factors/level.h"
+#include "factors/magnetic.h"
 #include "factors/position_hold.h"
 #include "factors/prior.h"
 #include "factors/random_walk.h"
@@ -24,8 +25,9 @@ struct FactorList {};
 // Every factor type of the project. The tests of tests/factors run over all of them.
 using RegisteredFactors =
     FactorList<StepFactor, HeadingIncrementFactor, AbsoluteHeadingFactor, PositionHoldFactor,
-               FingerprintFactor, HearingFactor, RandomWalkFactor, GaussMarkovFactor,
-               StatePriorFactor, PositionAnchorFactor, BarometricFactor, LevelFactor, AreaFactor>;
+               FingerprintFactor, HearingFactor, MagneticFactor, RandomWalkFactor,
+               GaussMarkovFactor, StatePriorFactor, PositionAnchorFactor, BarometricFactor,
+               LevelFactor, AreaFactor>;
 
 struct FactorInfo {
   std::string_view name;

@@ -131,7 +131,6 @@ struct LevelSettings {
   double climb_m_per_sqrt_s = 0.5;
 };
 
-// What the discrete floor model assumes. Our choice, spread and background looked at on ipin2023.
 enum class AreaKind : std::uint8_t {
   kNone,      // a walk may lead anywhere
   kWalkable,  // the floor's outline without its obstacles; nothing where the plan has no outline
@@ -140,11 +139,12 @@ enum class AreaKind : std::uint8_t {
 inline constexpr std::array<std::string_view, 3> kAreaKindNames = {"none", "walkable", "surveyed"};
 
 struct AreaSettings {
-  AreaKind kind = AreaKind::kNone;
+  AreaKind kind = AreaKind::kWalkable;
   double reach_m = 3;  // of a survey path
   double sigma_m = 1;  // how far outside a person gets who spends a second there
 };
 
+// What the discrete floor model assumes. Our choice, spread and background looked at on ipin2023.
 struct FloorSettings {
   double stay_s = 300;
   double change_s = 20;
@@ -153,6 +153,11 @@ struct FloorSettings {
   double n_eff = 4;  // independent readings per scan (field measurements: 3 to 4 of 100)
   // Weight of the whole building's looks on every floor against a floor's own, by number.
   double background = 0.3;
+};
+
+struct MagneticLookSettings {
+  bool enabled = true;
+  double correlation_s = 0;  // 0: the site's calibrated value
 };
 
 struct PriorSettings {
@@ -165,6 +170,7 @@ struct FactorSettings {
   AbsoluteHeadingSettings absolute_heading;
   StandingSettings standing;
   FingerprintSettings fingerprint;
+  MagneticLookSettings magnetic;
   GyroBiasSettings gyro_bias;
   HeadingOffsetSettings heading_offset;
   StepScaleSettings step_scale;
@@ -222,6 +228,12 @@ void Visit(Visitor& v, FingerprintSettings& s) {
   v.Field("n_eff", s.n_eff, "independent readings per scan; 0 takes the site's calibrated value");
   v.Field("min_rssi_dbm", s.min_rssi_dbm, "weaker readings are not used, dBm");
   Visit(v, s.loss);
+}
+template <typename Visitor>
+void Visit(Visitor& v, MagneticLookSettings& s) {
+  v.Field("enabled", s.enabled, "use the magnetic field where readings say what it is asked about");
+  v.Field("correlation_s", s.correlation_s,
+          "samples of so long are worth one, s; 0 takes the site's calibrated value");
 }
 template <typename Visitor>
 void Visit(Visitor& v, GyroBiasSettings& s) {
@@ -311,6 +323,7 @@ void Visit(Visitor& v, FactorSettings& s) {
   v.Group("absolute_heading", s.absolute_heading);
   v.Group("standing", s.standing);
   v.Group("fingerprint", s.fingerprint);
+  v.Group("magnetic", s.magnetic);
   v.Group("gyro_bias", s.gyro_bias);
   v.Group("heading_offset", s.heading_offset);
   v.Group("step_scale", s.step_scale);

@@ -8,6 +8,7 @@
 
 #include "factors/at_time.h"
 #include "factors/fingerprint.h"
+#include "factors/magnetic.h"
 #include "factors/map_sweeps.h"
 #include "factors/prior.h"
 #include "graph/node_times.h"
@@ -33,8 +34,14 @@ void AddAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int>& other
   }
   factor.blocks.insert(factor.blocks.end(), other_blocks.begin(), other_blocks.end());
   factor.arrival_ns = arrival_ns;
-  factor.absolute_position = true;
   walk->graph.AddFactor(std::move(factor));
+}
+
+// The same for one that tells where the walk is.
+void AddPositionAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int>& other_blocks,
+                       TimeNs arrival_ns, WalkGraph* walk) {
+  factor.absolute_position = true;
+  AddAtTime(std::move(factor), time_ns, other_blocks, arrival_ns, walk);
   if (!walk->first_absolute_position_ns || arrival_ns < *walk->first_absolute_position_ns) {
     walk->first_absolute_position_ns = arrival_ns;
   }
@@ -107,13 +114,31 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
     const int offset = offsets[kind];
     for (const MapSweep& part : CollectMapSweeps(site, *radio.map, evidence, settings.fingerprint,
                                                  walk->floors, kSamePlaceS)) {
-      AddAtTime(MakeFingerprint(*radio.map, part, settings.fingerprint.loss), part.mean_heard_ns,
-                {map_error.At(part.mean_heard_ns), offset}, part.printed_ns, walk);
+      AddPositionAtTime(MakeFingerprint(*radio.map, part, settings.fingerprint.loss),
+                        part.mean_heard_ns, {map_error.At(part.mean_heard_ns), offset},
+                        part.printed_ns, walk);
     }
     for (const MapSweep& scan : radio.scans) {
-      AddAtTime(MakeHearing(*radio.map, scan), scan.mean_heard_ns,
-                {map_error.At(scan.mean_heard_ns)}, scan.printed_ns, walk);
+      AddPositionAtTime(MakeHearing(*radio.map, scan), scan.mean_heard_ns,
+                        {map_error.At(scan.mean_heard_ns)}, scan.printed_ns, walk);
     }
+  }
+}
+
+// Without anything else that is absolute they would be taken for what they are not, a position.
+void AddMagneticLooks(const Site& site, const Evidence& evidence, const MagneticLookSettings& settings,
+                      WalkGraph* walk) {
+  if (!walk->first_absolute_position_ns) return;
+  for (const MagneticLook& look : CollectMagneticLooks(site, evidence, settings, walk->floors)) {
+    auto cost = std::make_unique<MagneticFactor>(look);
+    GraphFactor factor;
+    factor.type = MagneticFactor::kName;
+    factor.log_normaliser = cost->LogNormaliser() - cost->CostConstant();
+    factor.whitened_rows = MagneticFactor::kComponents;
+    factor.dimension = MagneticFactor::kComponents;
+    factor.weight = cost->weight();
+    factor.cost = std::move(cost);
+    AddAtTime(std::move(factor), look.time_ns, {}, look.time_ns, walk);
   }
 }
 
@@ -121,7 +146,7 @@ void AddAnchors(const Evidence& evidence, WalkGraph* walk) {
   for (const PositionAnchor& anchor : evidence.anchors) {
     if (anchor.floor != walk->floors.At(anchor.time_ns)) continue;
     const PositionAnchorFactor factor{anchor.position_m.x(), anchor.position_m.y(), anchor.sigma_m};
-    AddAtTime(MakeGraphFactor(factor, {}), anchor.time_ns, {}, anchor.time_ns, walk);
+    AddPositionAtTime(MakeGraphFactor(factor, {}), anchor.time_ns, {}, anchor.time_ns, walk);
   }
 }
 
@@ -131,6 +156,7 @@ void AddAbsolutePositions(const Site& site, const Evidence& evidence,
                           const FactorSettings& settings, WalkGraph* walk) {
   AddRadios(site, evidence, settings, walk);
   AddAnchors(evidence, walk);
+  AddMagneticLooks(site, evidence, settings.magnetic, walk);
 }
 
 }  // namespace walkgraph

@@ -28,6 +28,11 @@ void CheckSettings(const FactorSettings& s) {
     throw std::invalid_argument(
         "fingerprint.loss is truncated, expected none, huber or cauchy: every reading has its own");
   }
+  if (!(s.magnetic.correlation_s >= 0)) {
+    throw std::invalid_argument("magnetic.correlation_s is " +
+                                std::to_string(s.magnetic.correlation_s) +
+                                ", expected a time or 0");
+  }
   CheckPositive("gyro_bias.prior_sigma_radps", s.gyro_bias.prior_sigma_radps);
   CheckPositive("gyro_bias.walk_radps_per_sqrt_s", s.gyro_bias.walk_radps_per_sqrt_s);
   CheckPositive("gyro_bias.knot_s", s.gyro_bias.knot_s);

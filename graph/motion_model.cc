@@ -79,12 +79,4 @@ std::vector<NodeMotion> MotionBetweenNodes(const std::vector<TimeNs>& nodes_ns,
   return motions;
 }
 
-MotionState MotionStateAt(const Evidence& evidence, TimeNs time_ns) {
-  const auto after = std::upper_bound(
-      evidence.motion.begin(), evidence.motion.end(), time_ns,
-      [](TimeNs time, const MotionInterval& interval) { return time < interval.begin_ns; });
-  if (after == evidence.motion.begin()) return MotionState::kWalking;
-  return (after - 1)->state;
-}
-
 }  // namespace walkgraph

@@ -25,9 +25,6 @@ std::vector<NodeMotion> MotionBetweenNodes(const std::vector<TimeNs>& nodes_ns,
                                            const Evidence& evidence,
                                            const FactorSettings& settings);
 
-// The motion state at a time; kWalking where the evidence has none, as the one that assumes least.
-MotionState MotionStateAt(const Evidence& evidence, TimeNs time_ns);
-
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_GRAPH_MOTION_MODEL_H_

@@ -19,7 +19,7 @@ struct Switch {
   std::string_view off;  // the assignments that take it out
 };
 
-constexpr std::array<Switch, 14> kSwitches = {{
+constexpr std::array<Switch, 17> kSwitches = {{
     {"step", "factors.step.enabled=false"},
     {"heading_increment", "factors.heading_increment.enabled=false"},
     {"absolute_heading", "factors.absolute_heading.enabled=false"},
@@ -29,6 +29,9 @@ constexpr std::array<Switch, 14> kSwitches = {{
      "factors.fingerprint.zigbee=false"},
     {"wifi", "factors.fingerprint.wifi=false"},
     {"beacon", "factors.fingerprint.beacon=false"},
+    {"zigbee", "factors.fingerprint.zigbee=false"},
+    {"magnetic", "factors.magnetic.enabled=false"},
+    {"area", "factors.area.kind=none"},
     {"barometric", "factors.barometric.enabled=false"},
     {"gyro_bias", "factors.gyro_bias.mode=absent"},
     {"heading_offset", "factors.heading_offset.mode=absent"},

@@ -33,7 +33,7 @@ struct Study {
   int folds = 5;
   SplitBy split = SplitBy::kWalk;
   std::string split_name = "walk";
-  bool floor_given = true;
+  bool floor_given = false;
   std::vector<ConfigOverride> base;  // hold for every cell
   std::vector<StudyCell> cells;      // names are unique
   std::string reference;             // the cell that the others are compared with

@@ -101,6 +101,15 @@ inline double Interpolate(const Stream<double>& stream, TimeNs time_ns) {
   return stream.value[i - 1] + fraction * (stream.value[i] - stream.value[i - 1]);
 }
 
+// The motion state at a time; kWalking where the evidence has none, as the one that assumes least.
+inline MotionState MotionStateAt(const Evidence& evidence, TimeNs time_ns) {
+  const auto after = std::upper_bound(
+      evidence.motion.begin(), evidence.motion.end(), time_ns,
+      [](TimeNs time, const MotionInterval& interval) { return time < interval.begin_ns; });
+  if (after == evidence.motion.begin()) return MotionState::kWalking;
+  return (after - 1)->state;
+}
+
 // The mean field of the samples within [begin, end); none where there is no sample.
 inline std::optional<MagneticSample> MeanField(const Stream<MagneticSample>& field, TimeNs begin_ns,
                                                TimeNs end_ns) {

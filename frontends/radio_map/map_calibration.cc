@@ -77,7 +77,7 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
   cost.readings = known.size();
   for (int i = 0; i < kShiftCount; ++i) {
     const FieldBasis basis = EvaluateBasis(map.grid, center + Shift(i));
-    double hearing = map.Silence(basis, nullptr);
+    double hearing = map.Silence(basis).value;
     double signal = 0, slope = 0, information = 0;
     for (const auto& [field, rssi_dbm] : known) {
       const FieldValue value = map.EvaluateValue(field, basis);

@@ -50,6 +50,23 @@ FieldBasis EvaluateBasis(const FieldGrid& grid, const Eigen::Vector2d& position_
   return basis;
 }
 
+ScalarValue EvaluateField(const FieldGrid& grid, const std::vector<float>& control_values,
+                          const FieldBasis& basis) {
+  ScalarValue result;
+  for (int r = 0; r < 4; ++r) {
+    const auto line =
+        static_cast<std::size_t>(basis.row + r) * static_cast<std::size_t>(grid.columns) +
+        static_cast<std::size_t>(basis.column);
+    for (int c = 0; c < 4; ++c) {
+      const int k = 4 * r + c;
+      const double control = control_values[line + static_cast<std::size_t>(c)];
+      result.value += basis.weight[k] * control;
+      result.gradient += Eigen::Vector2d(basis.d_dx[k], basis.d_dy[k]) * control;
+    }
+  }
+  return result;
+}
+
 int RadioMap::FindField(std::uint32_t transmitter) const {
   const auto it = std::lower_bound(
       fields.begin(), fields.end(), transmitter,
@@ -142,22 +159,6 @@ FieldValue RadioMap::EvaluateValue(int field, const FieldBasis& basis) const {
   value.mean_dbm = EvaluateMean(field, basis, false).value;
   value.log_sigma = EvaluateLogSigma(field, basis, false).value;
   value.logit_hear = EvaluateLogitHear(field, basis, false).value;
-  return value;
-}
-
-double RadioMap::Silence(const FieldBasis& basis, Eigen::Vector2d* gradient) const {
-  double value = 0;
-  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
-  for (int r = 0; r < 4; ++r) {
-    for (int c = 0; c < 4; ++c) {
-      const int k = 4 * r + c;
-      const double control =
-          silence_nats[static_cast<std::size_t>((basis.row + r) * grid.columns + basis.column + c)];
-      value += basis.weight[k] * control;
-      slope += Eigen::Vector2d(basis.d_dx[k], basis.d_dy[k]) * control;
-    }
-  }
-  if (gradient != nullptr) *gradient = slope;
   return value;
 }
 

@@ -31,6 +31,16 @@ struct FieldBasis {
 
 FieldBasis EvaluateBasis(const FieldGrid& grid, const Eigen::Vector2d& position_m);
 
+// A number that varies over a floor.
+struct ScalarValue {
+  double value = 0;
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  // per metre
+};
+
+// The field whose control values on the whole grid, row-major, are given.
+ScalarValue EvaluateField(const FieldGrid& grid, const std::vector<float>& control_values,
+                          const FieldBasis& basis);
+
 // One transmitter's expected reading at a position.
 struct FieldValue {
   double mean_dbm = 0;
@@ -39,12 +49,6 @@ struct FieldValue {
   Eigen::Vector2d d_mean = Eigen::Vector2d::Zero();  // per metre
   Eigen::Vector2d d_log_sigma = Eigen::Vector2d::Zero();
   Eigen::Vector2d d_logit_hear = Eigen::Vector2d::Zero();
-};
-
-// One of its three numbers.
-struct ScalarValue {
-  double value = 0;
-  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  // per metre
 };
 
 // The smooth field of every transmitter of one radio on one floor.
@@ -85,7 +89,9 @@ class RadioMap {
   // The same without gradients, several times faster.
   FieldValue EvaluateValue(int field, const FieldBasis& basis) const;
   // Value and gradient (nats, nats/m) of silence_nats.
-  double Silence(const FieldBasis& basis, Eigen::Vector2d* gradient) const;
+  ScalarValue Silence(const FieldBasis& basis) const {
+    return EvaluateField(grid, silence_nats, basis);
+  }
 };
 
 }  // namespace walkgraph

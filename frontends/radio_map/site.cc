@@ -12,6 +12,12 @@ const RadioMap* Site::FindMap(int floor, Radio radio) const {
   return nullptr;
 }
 
+const MagneticMap* Site::FindMagneticMap(int floor) const {
+  const auto found = std::find_if(magnetic_maps.begin(), magnetic_maps.end(),
+                                  [floor](const MagneticMap& map) { return map.floor == floor; });
+  return found == magnetic_maps.end() ? nullptr : &*found;
+}
+
 std::vector<int> Site::SurveyedFloors() const {
   std::set<int> floors;
   for (const RadioMap& map : maps) floors.insert(map.floor);

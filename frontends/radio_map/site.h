@@ -10,6 +10,7 @@
 #include "data/building.h"
 #include "data/recording.h"
 #include "frontends/evidence/evidence.h"
+#include "frontends/radio_map/magnetic_map.h"
 #include "frontends/radio_map/radio_map.h"
 
 namespace walkgraph {
@@ -44,6 +45,8 @@ struct SurveyScan {
 struct SurveyMagnetic {
   Eigen::Vector2f position_m = Eigen::Vector2f::Zero();
   int floor = 0;
+  std::uint32_t walk = 0;   // as in SurveyScan
+  std::uint32_t trial = 0;  // as in SurveyScan
   float norm_ut = 0;
   float inclination_rad = 0;
 };
@@ -54,9 +57,10 @@ struct Site {
   Building building;
   std::vector<Transmitter> transmitters;  // sorted, each once
   std::vector<SurveyPoint> path;
-  std::vector<SurveyScan> scans;         // by walk, then printed_ns
-  std::vector<SurveyMagnetic> magnetic;  // by walk, then time
-  std::vector<RadioMap> maps;            // by floor, then radio
+  std::vector<SurveyScan> scans;           // by walk, then printed_ns
+  std::vector<SurveyMagnetic> magnetic;    // by walk, then time
+  std::vector<RadioMap> maps;              // by floor, then radio
+  std::vector<MagneticMap> magnetic_maps;  // by floor
   // How long after its stamp a reading of a radio speaks of the place where the phone was, s.
   // Clocks play a part, and the walker's body, which makes what lies ahead sound nearer than what
   // lies behind. Calibrated in the survey, whose readings were placed with it; AlignReadings()
@@ -65,7 +69,9 @@ struct Site {
 
   // The map of a floor and radio, or nullptr where nothing was surveyed.
   const RadioMap* FindMap(int floor, Radio radio) const;
-  // Floors with at least one map, ascending.
+  // The magnetic map of a floor, or nullptr where no two survey routes measured it.
+  const MagneticMap* FindMagneticMap(int floor) const;
+  // Floors with at least one radio map, ascending.
   std::vector<int> SurveyedFloors() const;
   // Counter-clockwise angle to add to an east-north heading to get one of the building frame.
   double HeadingToBuilding() const;

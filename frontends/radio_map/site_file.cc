@@ -1,5 +1,6 @@
 #include "frontends/radio_map/site_file.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -19,7 +20,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -163,14 +164,19 @@ void ArchiveOrigin(Reader& a, std::optional<GeoReference>& origin) {
   if (present != 0) origin = value;
 }
 
+template <typename A, typename G>
+void ArchiveGrid(A& a, G& grid) {
+  Vector2(a, grid.origin_m);
+  a.Scalar(grid.spacing_m);
+  a.Scalar(grid.columns);
+  a.Scalar(grid.rows);
+}
+
 template <typename A, typename M>
 void ArchiveMap(A& a, M& map) {
   a.Scalar(map.floor);
   a.Scalar(map.radio);
-  Vector2(a, map.grid.origin_m);
-  a.Scalar(map.grid.spacing_m);
-  a.Scalar(map.grid.columns);
-  a.Scalar(map.grid.rows);
+  ArchiveGrid(a, map.grid);
   a.Scalar(map.sigma_min_db);
   a.Scalar(map.n_eff);
   a.Scalar(map.hear_weight);
@@ -189,6 +195,18 @@ void ArchiveMap(A& a, M& map) {
     b.Scalars(field.logit_hear);
   });
   a.Scalars(map.silence_nats);
+}
+
+template <typename A, typename M>
+void ArchiveMagneticMap(A& a, M& map) {
+  a.Scalar(map.floor);
+  ArchiveGrid(a, map.grid);
+  for (auto& component : map.components) {
+    a.Scalars(component.mean_ut);
+    a.Scalars(component.log_sigma);
+  }
+  a.Scalar(map.sigma_min_ut);
+  a.Scalar(map.correlation_s);
 }
 
 template <typename A, typename S>
@@ -224,20 +242,39 @@ void ArchiveSite(A& a, S& site) {
   Each(a, site.magnetic, [](A& b, auto& sample) {
     Vector2(b, sample.position_m);
     b.Scalar(sample.floor);
+    b.Scalar(sample.walk);
+    b.Scalar(sample.trial);
     b.Scalar(sample.norm_ut);
     b.Scalar(sample.inclination_rad);
   });
   Each(a, site.maps, [](A& b, auto& map) { ArchiveMap(b, map); });
+  Each(a, site.magnetic_maps, [](A& b, auto& map) { ArchiveMagneticMap(b, map); });
   for (auto& lag_s : site.reading_lag_s) a.Scalar(lag_s);
+}
+
+// Control points of a grid; 0 where it is no grid to interpolate on.
+std::uint64_t PointsOf(const FieldGrid& grid) {
+  if (grid.columns < 4 || grid.rows < 4 || !(grid.spacing_m > 0)) return 0;
+  return static_cast<std::uint64_t>(grid.columns) * static_cast<std::uint64_t>(grid.rows);
+}
+
+bool IsConsistent(const MagneticMap& map) {
+  const std::uint64_t points = PointsOf(map.grid);
+  return points > 0 && map.sigma_min_ut > 0 && map.correlation_s > 0 &&
+         std::all_of(map.components.begin(), map.components.end(), [points](const auto& component) {
+           return component.mean_ut.size() == points && component.log_sigma.size() == points;
+         });
 }
 
 // What queries rely on without looking: sizes that fit each other and indices that exist.
 bool IsConsistent(const Site& site) {
+  for (const MagneticMap& map : site.magnetic_maps) {
+    if (!IsConsistent(map)) return false;
+  }
   for (const RadioMap& map : site.maps) {
     const FieldGrid& grid = map.grid;
-    if (grid.columns < 4 || grid.rows < 4 || !(grid.spacing_m > 0)) return false;
-    const auto points = static_cast<std::uint64_t>(grid.columns) * grid.rows;
-    if (map.silence_nats.size() != points) return false;
+    const std::uint64_t points = PointsOf(grid);
+    if (points == 0 || map.silence_nats.size() != points) return false;
     for (const RadioMap::TransmitterField& f : map.fields) {
       if (f.column < 0 || f.row < 0 || f.columns < 0 || f.rows < 0) return false;
       if (f.columns > grid.columns - f.column || f.rows > grid.rows - f.row) return false;

@@ -17,6 +17,8 @@ bool IsPlaced(const Trajectory& trajectory, TimeNs stamp_ns, const LagRange& lag
   return before_s - lags.first_s <= kClampSeconds && after_s + lags.last_s <= kClampSeconds;
 }
 
+}  // namespace
+
 std::uint32_t FirstOfTrial(const std::vector<SurveyWalk>& walks, std::size_t index) {
   if (walks[index].trial.empty()) return static_cast<std::uint32_t>(index);
   const auto first = std::find_if(walks.begin(), walks.end(), [&](const SurveyWalk& walk) {
@@ -24,8 +26,6 @@ std::uint32_t FirstOfTrial(const std::vector<SurveyWalk>& walks, std::size_t ind
   });
   return static_cast<std::uint32_t>(first - walks.begin());
 }
-
-}  // namespace
 
 std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::size_t index,
                                    Radio radio, const std::vector<std::int32_t>& site_index,

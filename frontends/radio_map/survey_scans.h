@@ -15,6 +15,9 @@ struct LagRange {
   double last_s = 0;
 };
 
+// Index of the first walk of the same trial: the walk's own where it belongs to none.
+std::uint32_t FirstOfTrial(const std::vector<SurveyWalk>& walks, std::size_t index);
+
 // The unique readings of a survey walk's scans of one radio, each where the person was `lag_s`
 // after it was stamped (see Site::reading_lag_s). `placed` is {lag_s, lag_s}, or wider where
 // different lags are to be compared on the same readings. `index` is the walk's,

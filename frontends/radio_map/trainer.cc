@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "frontends/radio_map/magnetic_trainer.h"
 #include "frontends/radio_map/map_builder.h"
 #include "frontends/radio_map/map_calibration.h"
 #include "frontends/radio_map/reading_lag.h"
@@ -15,7 +16,6 @@ namespace walkgraph {
 namespace {
 
 constexpr double kPathSpacingM = 1.0;
-constexpr double kMagneticS = 0.5;  // walked in which the field of a building hardly changes
 
 std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
   std::set<Transmitter> all;
@@ -29,16 +29,20 @@ std::vector<Transmitter> AllTransmitters(const std::vector<SurveyWalk>& walks) {
 }
 
 // Half seconds between the first and the last known position; those without a sample left out.
-void AppendMagnetic(const SurveyWalk& walk, std::vector<SurveyMagnetic>* samples) {
+void AppendMagnetic(const std::vector<SurveyWalk>& walks, std::size_t index,
+                    std::vector<SurveyMagnetic>* samples) {
+  const SurveyWalk& walk = walks[index];
   if (walk.trajectory.empty()) return;
+  const std::uint32_t trial = FirstOfTrial(walks, index);
   const TimeNs begin = walk.trajectory.poses.front().time_ns;
   const TimeNs end = walk.trajectory.poses.back().time_ns;
-  for (TimeNs time = begin; time < end; time += DurationNs(kMagneticS)) {
+  for (TimeNs time = begin; time < end; time += DurationNs(kMagneticSampleS)) {
     const std::optional<MagneticSample> mean =
-        MeanField(walk.evidence->magnetic, time, time + DurationNs(kMagneticS));
+        MeanField(walk.evidence->magnetic, time, time + DurationNs(kMagneticSampleS));
     if (!mean) continue;
-    const PoseEstimate pose = walk.trajectory.At(time + DurationNs(kMagneticS / 2));
+    const PoseEstimate pose = walk.trajectory.At(time + DurationNs(kMagneticSampleS / 2));
     samples->push_back({pose.position_m.head<2>().cast<float>(), pose.floor,
+                        static_cast<std::uint32_t>(index), trial,
                         static_cast<float>(mean->norm_ut),
                         static_cast<float>(mean->inclination_rad)});
   }
@@ -123,7 +127,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
   std::vector<std::vector<std::int32_t>> site_index;
   for (std::size_t i = 0; i < walks.size(); ++i) {
     AppendSurveyPath(walks[i].trajectory, static_cast<std::uint32_t>(i), &site.path);
-    AppendMagnetic(walks[i], &site.magnetic);
+    AppendMagnetic(walks, i, &site.magnetic);
     site_index.push_back(MatchTransmitters(site, *walks[i].evidence));
   }
   for (const Radio radio : kAllRadios) {
@@ -143,6 +147,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                      return std::tie(a.walk, a.printed_ns) < std::tie(b.walk, b.printed_ns);
                    });
   TrainMaps(settings, &site);
+  site.magnetic_maps = TrainMagneticMaps(site);
   return site;
 }
 

@@ -8,6 +8,7 @@
 
 #include "data/angle.h"
 #include "factors/area.h"
+#include "factors/magnetic.h"
 #include "factors/map_sweeps.h"
 #include "solvers/baselines/discrete_motion.h"
 #include "solvers/baselines/lattice.h"
@@ -60,6 +61,14 @@ class Emissions {
       nats_[epoch][c] += static_cast<float>(0.5 * squared / variance);
     }
     any_ = true;
+  }
+
+  void AddMagneticLooks(const std::vector<MagneticLook>& looks) {
+    std::map<const MagneticMap*, MagneticGrid> grids;
+    for (const MagneticLook& look : looks) {
+      const auto grid = grids.try_emplace(look.map, *look.map, lattice_.centers_m()).first;
+      AddMoved(look.time_ns, grid->second.Evaluate(look));
+    }
   }
 
   // Every epoch stands for its share of the walk, as a node of the graph does.
@@ -211,6 +220,7 @@ std::vector<DiscretePath> SmoothOnLattice(const Site& site, const Evidence& evid
     if (anchor.floor == floors.At(anchor.time_ns)) emissions.AddAnchor(anchor);
   }
   if (!emissions.any()) return {};
+  emissions.AddMagneticLooks(CollectMagneticLooks(site, evidence, factors.magnetic, floors));
   emissions.AddAreas(site, factors.area, floors);
 
   const std::vector<TimeNs>& times = emissions.times();

@@ -122,7 +122,7 @@ LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vecto
     std::array<float, 16>& weights = weights_.emplace_back();
     std::transform(basis.weight.begin(), basis.weight.end(), weights.begin(),
                    [](double weight) { return static_cast<float>(weight); });
-    silence_nats_.push_back(static_cast<float>(map.Silence(basis, nullptr)));
+    silence_nats_.push_back(static_cast<float>(map.Silence(basis).value));
   }
 }
 

@@ -32,31 +32,39 @@ inline RadioMap MakeRandomMap(Random* random) {
   return map;
 }
 
-// The map turned by quarters about the origin and shifted: control point (r, c) of a square grid
-// goes to another one.
+// A square grid of control points turned by quarters about the origin and shifted.
+inline FieldGrid MoveGrid(const FieldGrid& grid, const Motion& motion) {
+  const double span = grid.spacing_m * (grid.columns - 1);
+  FieldGrid moved = grid;
+  for (int q = 0; q < motion.quarters; ++q) {
+    // The old upper left corner becomes the new lower left one.
+    moved.origin_m = Eigen::Vector2d(-(moved.origin_m.y() + span), moved.origin_m.x());
+  }
+  moved.origin_m += motion.shift_m;
+  return moved;
+}
+
+// Its control values: point (r, c) goes to another one.
+inline std::vector<float> MoveValues(std::vector<float> values, int n, const Motion& motion) {
+  for (int q = 0; q < motion.quarters; ++q) {
+    const std::vector<float> from = values;
+    for (int r = 0; r < n; ++r) {
+      for (int c = 0; c < n; ++c) values[c * n + (n - 1 - r)] = from[r * n + c];
+    }
+  }
+  return values;
+}
+
 inline RadioMap MoveMap(const RadioMap& map, const Motion& motion) {
   const int n = map.grid.columns;
   RadioMap moved = map;
-  const auto turn = [n](const std::vector<float>& from) {
-    std::vector<float> to(from.size());
-    for (int r = 0; r < n; ++r) {
-      for (int c = 0; c < n; ++c) to[c * n + (n - 1 - r)] = from[r * n + c];
-    }
-    return to;
-  };
-  const double span = map.grid.spacing_m * (n - 1);
-  Eigen::Vector2d origin = map.grid.origin_m;
-  for (int q = 0; q < motion.quarters; ++q) {
-    // The old upper left corner becomes the new lower left one.
-    origin = Eigen::Vector2d(-(origin.y() + span), origin.x());
-    moved.silence_nats = turn(moved.silence_nats);
-    for (auto& field : moved.fields) {
-      field.mean_dbm = turn(field.mean_dbm);
-      field.log_sigma = turn(field.log_sigma);
-      field.logit_hear = turn(field.logit_hear);
-    }
+  moved.grid = MoveGrid(map.grid, motion);
+  moved.silence_nats = MoveValues(map.silence_nats, n, motion);
+  for (auto& field : moved.fields) {
+    field.mean_dbm = MoveValues(field.mean_dbm, n, motion);
+    field.log_sigma = MoveValues(field.log_sigma, n, motion);
+    field.logit_hear = MoveValues(field.logit_hear, n, motion);
   }
-  moved.grid.origin_m = origin + motion.shift_m;
   return moved;
 }
 
@@ -99,9 +107,8 @@ struct RadioTwin {
                      Lift(field.mean_dbm, field.d_mean, at, x, y)) /
                     exp(log_sigma);
     }
-    Eigen::Vector2d slope;
-    const double silence = map->Silence(basis, &slope);
-    const T cost = hearing ? Lift(silence, slope, at, x, y) + heard : spread;
+    const ScalarValue silence = map->Silence(basis);
+    const T cost = hearing ? Lift(silence.value, silence.gradient, at, x, y) + heard : spread;
     residual[hearing ? 0 : sweep.readings.size()] =
         sqrt(sweep.weight) * sqrt(2.0 * cost + kRowOffset);
     return true;
@@ -158,6 +165,69 @@ struct Scenario<HearingFactor> : RadioScenario<HearingFactor> {
     moved.map = std::make_shared<RadioMap>(MoveMap(*map, motion));
     return moved;
   }
+};
+
+// Written from the formulas of factors/magnetic.h, not from its code.
+struct MagneticTwin {
+  MagneticLook look;
+
+  template <typename T>
+  bool operator()(const T* p, T* residual) const {
+    using std::exp;
+    using std::log;
+    using std::sqrt;
+    const Eigen::Vector2d at(Plain(p[0]), Plain(p[1]));
+    const FieldBasis basis = EvaluateBasis(look.map->grid, at);
+    T spread(0.0);
+    for (int c = 0; c < 2; ++c) {
+      const ScalarValue mean = look.map->Mean(c, basis), log_sigma = look.map->LogSigma(c, basis);
+      const T sigma = exp(Lift(log_sigma.value, log_sigma.gradient, at, p[0], p[1]));
+      residual[c] = sqrt(look.weight) *
+                    (look.field_ut[c] - Lift(mean.value, mean.gradient, at, p[0], p[1])) / sigma;
+      spread += log(sigma / look.map->sigma_min_ut);
+    }
+    residual[2] = sqrt(look.weight) * sqrt(2.0 * spread + kRowOffset);
+    return true;
+  }
+};
+
+template <>
+struct Scenario<MagneticFactor> {
+  static constexpr bool kGaussian = false;
+  static std::vector<BlockKind> kinds() { return {BlockKind::kPosition}; }
+  explicit Scenario(Random* random) : map(std::make_shared<MagneticMap>()) {
+    constexpr int kCount = 13;
+    map->grid = {{-3, -3}, 3.0, kCount, kCount};
+    map->sigma_min_ut = 1;
+    for (MagneticMap::Component& component : map->components) {
+      for (int i = 0; i < kCount * kCount; ++i) {
+        component.mean_ut.push_back(static_cast<float>(Normal(random, 10)));
+        component.log_sigma.push_back(static_cast<float>(std::abs(Normal(random, 0.5))));
+      }
+    }
+    look = {0, map.get(), {Normal(random, 10), Normal(random, 10)}, 0.3};
+  }
+  std::unique_ptr<ceres::CostFunction> Cost() const {
+    return std::make_unique<MagneticFactor>(look);
+  }
+  std::unique_ptr<ceres::CostFunction> Twin() const {
+    return std::make_unique<ceres::AutoDiffCostFunction<MagneticTwin, 3, 2>>(
+        new MagneticTwin{look});
+  }
+  Scenario Moved(const Motion& motion) const {
+    Scenario moved = *this;
+    moved.map = std::make_shared<MagneticMap>(*map);
+    moved.map->grid = MoveGrid(map->grid, motion);
+    for (MagneticMap::Component& component : moved.map->components) {
+      component.mean_ut = MoveValues(component.mean_ut, map->grid.columns, motion);
+      component.log_sigma = MoveValues(component.log_sigma, map->grid.columns, motion);
+    }
+    moved.look.map = moved.map.get();
+    return moved;
+  }
+
+  std::shared_ptr<MagneticMap> map;
+  MagneticLook look;
 };
 
 }  // namespace walkgraph::testing

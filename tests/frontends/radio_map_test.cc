@@ -154,7 +154,7 @@ TEST(FieldBasisTest, StaysFiniteForExtremePositions) {
                   std::isfinite(value.logit_hear));
       EXPECT_TRUE(value.d_mean.allFinite() && value.d_log_sigma.allFinite() &&
                   value.d_logit_hear.allFinite());
-      EXPECT_TRUE(std::isfinite(map.Silence(basis, nullptr)));
+      EXPECT_TRUE(std::isfinite(map.Silence(basis).value));
     }
   }
 }
@@ -165,14 +165,13 @@ TEST(RadioMapTest, GradientIsTheNumericDerivative) {
   for (const Eigen::Vector2d& at : RandomPositions(200, -0.01)) {
     const FieldBasis basis = EvaluateBasis(kGrid, at);
     const FieldValue value = map.Evaluate(0, basis);
-    Eigen::Vector2d silence;
-    map.Silence(basis, &silence);
+    const Eigen::Vector2d silence = map.Silence(basis).gradient;
     for (int axis = 0; axis < 2; ++axis) {
       const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);
       const FieldBasis ahead = EvaluateBasis(kGrid, at + step);
       const FieldBasis behind = EvaluateBasis(kGrid, at - step);
       const FieldValue a = map.Evaluate(0, ahead), b = map.Evaluate(0, behind);
-      const double numeric_silence = map.Silence(ahead, nullptr) - map.Silence(behind, nullptr);
+      const double numeric_silence = map.Silence(ahead).value - map.Silence(behind).value;
       EXPECT_NEAR(value.d_mean(axis), (a.mean_dbm - b.mean_dbm) / (2 * kStep), 1e-6);
       EXPECT_NEAR(value.d_log_sigma(axis), (a.log_sigma - b.log_sigma) / (2 * kStep), 1e-6);
       EXPECT_NEAR(value.d_logit_hear(axis), (a.logit_hear - b.logit_hear) / (2 * kStep), 1e-6);

@@ -87,7 +87,7 @@ TEST(TrainSiteTest, TheOptimumCannotFleeToWhereTheMapKnowsNothing) {
   for (double x = 0; x <= RadioWorld::kWidthM; x += 0.5) {
     for (double y = 0; y <= RadioWorld::kHeightM; y += 0.5) {
       const FieldBasis basis = EvaluateBasis(map.grid, {x, y});
-      double residual = 0, full = map.Silence(basis, nullptr);
+      double residual = 0, full = map.Silence(basis).value;
       for (std::size_t i = 0; i < map.fields.size(); ++i) {
         const double off_db = i % 2 == 0 ? 7.0 : -7.0;
         const double rssi_dbm = world.MeanDbm(map.fields[i].transmitter, truth) + off_db;
@@ -173,7 +173,7 @@ TEST(TrainSiteTest, OneWalkIsEnoughForAMap) {
   EXPECT_GT(map.sigma_min_db, 0);
   ForPlaces(RadioWorld::kWidthM, [&](const Eigen::Vector2d& at) {
     const FieldBasis basis = EvaluateBasis(map.grid, at);
-    EXPECT_TRUE(std::isfinite(map.Silence(basis, nullptr)));
+    EXPECT_TRUE(std::isfinite(map.Silence(basis).value));
     for (std::size_t i = 0; i < map.fields.size(); ++i) {
       const FieldValue value = map.EvaluateValue(static_cast<int>(i), basis);
       EXPECT_TRUE(std::isfinite(value.mean_dbm) && std::isfinite(value.log_sigma));

@@ -37,7 +37,7 @@ Site SmallSite() {
   site.path = {{{1, 2}, -1, 0}, {{2, 2}, -1, 0}};
   site.scans = {
       {1'560'000'000'000'000'007, 3, 2, -1, Radio::kBeacon, {{1, -71.5F, 0.25F, {1.5F, 2.0F}}}}};
-  site.magnetic = {{{1.5F, 2.5F}, -1, 43.5F, 1.0F}};
+  site.magnetic = {{{1.5F, 2.5F}, -1, 3, 2, 43.5F, 1.0F}};
   RadioMap map;
   map.floor = -1;
   map.radio = Radio::kBeacon;
@@ -49,6 +49,15 @@ Site SmallSite() {
   map.fields = {{1, 1, 2, 2, 1, -90.0F, 2.5F, -6.0F, {-60, -61}, {1.5F, 1.6F}, {0.5F, -0.5F}}};
   map.silence_nats.assign(20, 1.25F);
   site.maps = {map};
+  MagneticMap magnetic;
+  magnetic.floor = -1;
+  magnetic.grid = {{-2, -2}, 1.0, 5, 4};
+  for (MagneticMap::Component& component : magnetic.components) {
+    component = {std::vector<float>(20, 30.0F), std::vector<float>(20, 0.5F)};
+  }
+  magnetic.sigma_min_ut = 1.5;
+  magnetic.correlation_s = 2.5;
+  site.magnetic_maps = {magnetic};
   return site;
 }
 
@@ -88,6 +97,9 @@ TEST(SiteFileTest, KeepsEveryMember) {
   EXPECT_EQ(site.scans[0].readings[0].age_s, 0.25F);
   ASSERT_EQ(site.magnetic.size(), 1U);
   EXPECT_EQ(site.magnetic[0].norm_ut, 43.5F);
+  ASSERT_NE(site.FindMagneticMap(-1), nullptr);
+  EXPECT_EQ(site.FindMagneticMap(-1)->components[1].log_sigma[19], 0.5F);
+  EXPECT_EQ(site.FindMagneticMap(0), nullptr);
   const RadioMap* map = site.FindMap(-1, Radio::kBeacon);
   ASSERT_NE(map, nullptr);
   EXPECT_EQ(map->hear_weight, 0.4);

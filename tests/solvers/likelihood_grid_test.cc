@@ -132,7 +132,7 @@ TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const FieldBasis basis = EvaluateBasis(map.grid, positions[i]);
-      double expected = map.Silence(basis, nullptr);
+      double expected = map.Silence(basis).value;
       for (const MapSweep::Reading& reading : sweeps[s].readings) {
         const FieldValue value = map.Evaluate(reading.field, basis);
         const double r = (reading.rssi_dbm - value.mean_dbm) / std::exp(value.log_sigma);
