@@ -99,6 +99,13 @@ int CalibrateDataset(const LearnOptions& options) {
                   RadioName(map.radio), map.n_eff, map.map_error_sigma_m);
     text += line.data();
   }
+  for (const MagneticMap& map : fold.site.magnetic_maps) {
+    std::array<char, 160> line;
+    std::snprintf(line.data(), line.size(),
+                  "# In the site, floor %d magnetic: correlation %.3g s, map error %.3g m\n",
+                  map.floor, map.correlation_s, map.map_error_sigma_m);
+    text += line.data();
+  }
   for (const Radio radio : kAllRadios) {
     if (std::none_of(fold.site.maps.begin(), fold.site.maps.end(),
                      [radio](const RadioMap& map) { return map.radio == radio; })) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include "factors/cost.h"
@@ -32,12 +33,15 @@ std::vector<MagneticLook> CollectMagneticLooks(const Site& site, const Evidence&
 bool MagneticFactor::Evaluate(const double* const* blocks, double* residual,
                               double** jacobians) const {
   const MagneticMap& map = *look_.map;
-  const FieldBasis basis = EvaluateBasis(map.grid, {blocks[0][0], blocks[0][1]});
+  const FieldBasis basis =
+      EvaluateBasis(map.grid, {blocks[0][0] + blocks[1][0], blocks[0][1] + blocks[1][1]});
   const double root_weight = std::sqrt(look_.weight);
   const double log_sigma_min = std::log(map.sigma_min_ut);
-  double* jacobian = jacobians != nullptr ? jacobians[0] : nullptr;
-  const auto fill = [jacobian](int row, const Eigen::Vector2d& gradient) {
-    if (jacobian != nullptr) Eigen::Map<Eigen::Vector2d>(jacobian + 2 * row) = gradient;
+  const auto fill = [jacobians](int row, const Eigen::Vector2d& gradient) {
+    for (int block = 0; jacobians != nullptr && block < 2; ++block) {
+      if (jacobians[block] == nullptr) continue;
+      Eigen::Map<Eigen::Vector2d>(jacobians[block] + std::ptrdiff_t{2} * row) = gradient;
+    }
   };
   ScalarValue spread;
   for (int c = 0; c < kComponents; ++c) {

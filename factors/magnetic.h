@@ -29,13 +29,14 @@ std::vector<MagneticLook> CollectMagneticLooks(const Site& site, const Evidence&
                                                const MagneticLookSettings& settings,
                                                const FloorPath& floors);
 
-// The magnetic field at a place is the map's. With m, s its mean and spread, s_min its smallest, w
-// the weight and z the field, c the component, rows 0 and 1 and row 2 are
-//   sqrt(w) (z_c - m_c(p)) / s_c(p),
-//   sqrt(w) sqrt(2 sum_c log(s_c(p) / s_min) + kRowOffset).
+// The magnetic field is the map's at u = x + e, x position, e error of the magnetic map. With m, s
+// the map's mean and spread, s_min its smallest, w the weight and z the field, c the component,
+// rows 0 and 1 and row 2 are
+//   sqrt(w) (z_c - m_c(u)) / s_c(u),
+//   sqrt(w) sqrt(2 sum_c log(s_c(u) / s_min) + kRowOffset).
 // The field repeats all over a floor: it tells places apart between which others leave the choice.
-// Block: position.
-class MagneticFactor : public ceres::SizedCostFunction<3, 2> {
+// Blocks: position, magnetic error.
+class MagneticFactor : public ceres::SizedCostFunction<3, 2, 2> {
  public:
   static constexpr std::string_view kName = "magnetic";
   static constexpr int kComponents = 2;

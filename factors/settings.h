@@ -156,7 +156,7 @@ struct FloorSettings {
 };
 
 struct MagneticLookSettings {
-  bool enabled = true;
+  bool enabled = false;
   double correlation_s = 0;  // 0: the site's calibrated value
 };
 

@@ -21,13 +21,17 @@ enum class BlockKind : std::uint8_t {
   kMapError,          // [2] m, where the radio map seems to be minus where one is
   kRssiOffset,        // [1] dB, the map's device minus this one; one block per radio
   kHeight,            // [1] m, of the feet in the building frame
+  kMagneticError,     // [2] m, the same of the magnetic map
   kBarometricOffset,  // [1] m, height by the barometer minus height: weather, device, altitude
 };
-inline constexpr int kBlockKindCount = 9;
+inline constexpr int kBlockKindCount = 10;
 inline constexpr int kMaxBlockSize = 2;
 
 constexpr int BlockSize(BlockKind kind) {
-  return kind == BlockKind::kPosition || kind == BlockKind::kMapError ? 2 : 1;
+  return kind == BlockKind::kPosition || kind == BlockKind::kMapError ||
+                 kind == BlockKind::kMagneticError
+             ? 2
+             : 1;
 }
 
 constexpr bool IsSlowState(BlockKind kind) {
@@ -37,8 +41,9 @@ constexpr bool IsSlowState(BlockKind kind) {
 // Name of the state with its unit, as outputs write it.
 constexpr std::string_view BlockName(BlockKind kind) {
   constexpr std::string_view kNames[kBlockKindCount] = {
-      "position_m",  "heading_rad",    "gyro_bias_radps", "heading_offset_rad", "step_scale",
-      "map_error_m", "rssi_offset_db", "height_m",        "barometric_offset_m"};
+      "position_m",       "heading_rad",        "gyro_bias_radps", "heading_offset_rad",
+      "step_scale",       "map_error_m",        "rssi_offset_db",  "height_m",
+      "magnetic_error_m", "barometric_offset_m"};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -101,9 +101,9 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
       HeardRadios(site, evidence, settings.fingerprint, walk->floors);
   if (radios.empty()) return;
   const TimeNs begin_ns = walk->node_ns.front();
-  const KnotBlocks map_error =
-      AddMapErrorState(settings.map_error, MapErrorSigma(radios, settings.map_error), begin_ns,
-                       walk->node_ns.back(), &walk->graph);
+  const KnotBlocks map_error = AddMapErrorState(BlockKind::kMapError, settings.map_error,
+                                                MapErrorSigma(radios, settings.map_error), begin_ns,
+                                                walk->node_ns.back(), &walk->graph);
   std::map<Radio, int> offsets;  // one on all floors
   for (const HeardRadio& radio : radios) {
     const Radio kind = radio.map->radio;
@@ -126,10 +126,20 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
 }
 
 // Without anything else that is absolute they would be taken for what they are not, a position.
-void AddMagneticLooks(const Site& site, const Evidence& evidence, const MagneticLookSettings& settings,
+void AddMagneticLooks(const Site& site, const Evidence& evidence, const FactorSettings& settings,
                       WalkGraph* walk) {
   if (!walk->first_absolute_position_ns) return;
-  for (const MagneticLook& look : CollectMagneticLooks(site, evidence, settings, walk->floors)) {
+  const std::vector<MagneticLook> looks =
+      CollectMagneticLooks(site, evidence, settings.magnetic, walk->floors);
+  if (looks.empty()) return;
+  double error_sigma_m = 0;
+  for (const MagneticLook& look : looks) {
+    error_sigma_m = std::max(error_sigma_m, look.map->map_error_sigma_m);
+  }
+  const KnotBlocks error =
+      AddMapErrorState(BlockKind::kMagneticError, settings.map_error, error_sigma_m,
+                       walk->node_ns.front(), walk->node_ns.back(), &walk->graph);
+  for (const MagneticLook& look : looks) {
     auto cost = std::make_unique<MagneticFactor>(look);
     GraphFactor factor;
     factor.type = MagneticFactor::kName;
@@ -138,7 +148,7 @@ void AddMagneticLooks(const Site& site, const Evidence& evidence, const Magnetic
     factor.dimension = MagneticFactor::kComponents;
     factor.weight = cost->weight();
     factor.cost = std::move(cost);
-    AddAtTime(std::move(factor), look.time_ns, {}, look.time_ns, walk);
+    AddAtTime(std::move(factor), look.time_ns, {error.At(look.time_ns)}, look.time_ns, walk);
   }
 }
 
@@ -156,7 +166,7 @@ void AddAbsolutePositions(const Site& site, const Evidence& evidence,
                           const FactorSettings& settings, WalkGraph* walk) {
   AddRadios(site, evidence, settings, walk);
   AddAnchors(evidence, walk);
-  AddMagneticLooks(site, evidence, settings.magnetic, walk);
+  AddMagneticLooks(site, evidence, settings, walk);
 }
 
 }  // namespace walkgraph

@@ -47,21 +47,20 @@ KnotBlocks AddRandomWalkState(const RandomWalkModel& model, TimeNs begin_ns, Tim
   return state;
 }
 
-KnotBlocks AddMapErrorState(const MapErrorSettings& settings, double sigma_m, TimeNs begin_ns,
-                            TimeNs end_ns, FactorGraph* graph) {
-  constexpr BlockKind kKind = BlockKind::kMapError;
+KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
+                            TimeNs begin_ns, TimeNs end_ns, FactorGraph* graph) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
   if (settings.mode != StateMode::kActive || sigma_m <= 0) {
-    return AddHeldState(kKind, zero, begin_ns, graph);
+    return AddHeldState(kind, zero, begin_ns, graph);
   }
   KnotBlocks state{Knots(begin_ns, end_ns, settings.knot_s), {}};
-  state.blocks = AddKnots(kKind, state.knots, zero, graph);
+  state.blocks = AddKnots(kind, state.knots, zero, graph);
   graph->AddFactor(MakeGraphFactor(PositionAnchorFactor{0, 0, sigma_m}, {state.blocks.front()},
-                                   TypeOf(kKind, "prior")));
+                                   TypeOf(kind, "prior")));
   const auto fade = GaussMarkovFactor::Stationary(sigma_m, settings.correlation_s, settings.knot_s);
   for (std::size_t k = 1; k < state.blocks.size(); ++k) {
     graph->AddFactor(MakeGraphFactor(fade, {state.blocks[k - 1], state.blocks[k]},
-                                     TypeOf(kKind, "gauss_markov")));
+                                     TypeOf(kind, "gauss_markov")));
   }
   return state;
 }

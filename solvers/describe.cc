@@ -17,6 +17,8 @@ BlockLabel LabelOf(const StateBlock& block) {
       return {"heading", {}};
     case BlockKind::kMapError:
       return {"map error", {"x", "y"}};
+    case BlockKind::kMagneticError:
+      return {"magnetic map error", {"x", "y"}};
     default:
       return {std::string(BlockName(block.id.kind)), {}};
   }

@@ -73,6 +73,9 @@ void MixNode(const WalkGraph& walk, const std::vector<Mode>& modes,
 // Names of a slow state's coordinates.
 std::vector<std::string> CoordinateNames(const StateBlock& block) {
   if (block.id.kind == BlockKind::kMapError) return {"map_error_x_m", "map_error_y_m"};
+  if (block.id.kind == BlockKind::kMagneticError) {
+    return {"magnetic_error_x_m", "magnetic_error_y_m"};
+  }
   if (block.id.kind == BlockKind::kRssiOffset) {
     return {std::string("rssi_offset_") + RadioName(static_cast<Radio>(block.id.index)) + "_db"};
   }

@@ -33,9 +33,11 @@ struct MagneticMap {
   FieldGrid grid;
   std::array<Component, 2> components;  // as MagneticComponents
   double sigma_min_ut = 0;              // the smallest spread of either
-  // Time for which what a walk measures besides the map stays as it is (the phone's own field, a
-  // survey path drawn beside the one that was walked): samples of so long are worth one, s.
+  // Calibrated on survey walks held out in turn: samples of so long are worth one, s, and the sigma
+  // of the slow error of position that all samples at a place share (survey paths drawn beside
+  // those that were walked), per axis.
   double correlation_s = 0;
+  double map_error_sigma_m = 0;
 
   ScalarValue Mean(int component, const FieldBasis& basis) const {
     return EvaluateField(grid, components[static_cast<std::size_t>(component)].mean_ut, basis);

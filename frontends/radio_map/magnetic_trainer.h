@@ -8,12 +8,12 @@
 
 namespace walkgraph {
 
-// The magnetic map of every floor where at least three survey trials (see SurveyScan) measured the
-// field, from Site::magnetic. Mean and variance at a place are those of the samples under a
-// Gaussian kernel and of a pseudo-sample of the whole floor. The kernel's bandwidth and the
-// pseudo-sample's weight have the greatest log density of samples whose trial is left out; the
-// spread is then scaled to the residuals of those, and their integrated autocorrelation along the
-// walks is the map's correlation time.
+// The magnetic map of every floor where at least six survey trials (see SurveyScan) measured the
+// field for 20 s, from Site::magnetic. A kernel estimate whose bandwidth has the greatest log
+// density of samples whose trial is left out, and whose spread is scaled to their residuals. The
+// correlation time and the map error, as those of a radio map (see map_calibration.h), place pieces
+// of held-out survey walks best: autocorrelation of the residuals would not see that a map drawn a
+// metre beside is wrong everywhere in another way.
 std::vector<MagneticMap> TrainMagneticMaps(const Site& site);
 
 }  // namespace walkgraph

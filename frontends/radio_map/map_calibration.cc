@@ -9,6 +9,8 @@
 #include <set>
 #include <span>
 
+#include "frontends/radio_map/shift_posterior.h"
+
 namespace walkgraph {
 namespace {
 
@@ -22,11 +24,7 @@ constexpr std::size_t kSearchTransmitters = 150;
 constexpr std::size_t kCalibrationTransmitters = 400;
 constexpr std::size_t kSearchSamples = 120;
 constexpr double kPieceSeconds = 20;
-constexpr double kShiftSpacingM = 2.5;
-constexpr int kShiftHalfCount = 8;
-constexpr int kShiftCount = (2 * kShiftHalfCount + 1) * (2 * kShiftHalfCount + 1);
-// Chance that a piece lies where nothing is known: keeps one lost walk from deciding the score.
-constexpr double kLostProbability = 0.02;
+constexpr ShiftGrid kShifts(2.5, 8);
 
 // A coarse grid compares field models and hearing weights, the fine one sets the numbers.
 constexpr std::array kCoarseNEff{1.0, 3.0, 9.0};
@@ -34,12 +32,6 @@ constexpr std::array kCoarseMapErrors{1.4, 2.8};
 constexpr std::array kNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0};
 constexpr std::array kHearWeights{0.2, 0.4, 0.7, 1.0};
 constexpr std::array kMapErrors{0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
-
-Eigen::Vector2d Shift(int index) {
-  const int side = 2 * kShiftHalfCount + 1;
-  return kShiftSpacingM *
-         Eigen::Vector2d(index % side - kShiftHalfCount, index / side - kShiftHalfCount);
-}
 
 // -log p of a scan, moved by every shift: of its signal strengths, and of what it heard and missed.
 struct ScanCost {
@@ -75,8 +67,8 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
     if (field >= 0) known.emplace_back(field, reading.rssi_dbm);
   }
   cost.readings = known.size();
-  for (int i = 0; i < kShiftCount; ++i) {
-    const FieldBasis basis = EvaluateBasis(map.grid, center + Shift(i));
+  for (std::size_t i = 0; i < kShifts.size(); ++i) {
+    const FieldBasis basis = EvaluateBasis(map.grid, center + kShifts.At(i));
     double hearing = map.Silence(basis).value;
     double signal = 0, slope = 0, information = 0;
     for (const auto& [field, rssi_dbm] : known) {
@@ -114,41 +106,10 @@ void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettin
   }
 }
 
-// The normal density of the map error over the shifts, normalised over the grid, so that a sigma
-// below its spacing stays a density.
-class MapErrorKernel {
- public:
-  explicit MapErrorKernel(double sigma_m) {
-    double total = 0;
-    for (int i = 0; i < kShiftCount; ++i) {
-      weight_.push_back(std::exp(-0.5 * Shift(i).squaredNorm() / (sigma_m * sigma_m)));
-      total += weight_.back();
-    }
-    for (double& weight : weight_) weight /= total;
-  }
-
-  // log of the density (1/m^2) that the posterior proportional to exp(-nats), blurred by the map
-  // error, gives to shift zero.
-  double LogScoreAtTruth(const std::vector<double>& nats) const {
-    const double lowest = *std::min_element(nats.begin(), nats.end());
-    double total = 0, blurred = 0;
-    for (std::size_t i = 0; i < nats.size(); ++i) {
-      const double p = std::exp(lowest - nats[i]);
-      total += p;
-      blurred += p * weight_[i];
-    }
-    const double cell = kShiftSpacingM * kShiftSpacingM;
-    const double density = blurred / (total * cell);
-    return std::log((1.0 - kLostProbability) * density + kLostProbability / (kShiftCount * cell));
-  }
-
- private:
-  std::vector<double> weight_;
-};
-
-double PieceScore(const Piece& piece, const MapCalibration& trial, const MapErrorKernel& kernel) {
-  std::vector<double> sum(kShiftCount, 0.0);
-  std::vector<double> alone(kShiftCount);
+double PieceScore(const Piece& piece, const MapCalibration& trial,
+                  const SharedErrorKernel& kernel) {
+  std::vector<double> sum(kShifts.size(), 0.0);
+  std::vector<double> alone(kShifts.size());
   double alone_score = 0;
   for (const ScanCost& scan : piece) {
     const double weight = std::min(1.0, trial.n_eff / static_cast<double>(scan.readings));
@@ -170,7 +131,7 @@ Scored BestCalibration(const std::vector<Piece>& pieces, std::span<const double>
                        std::span<const double> hear_weights, std::span<const double> map_errors) {
   Scored best;
   for (const double sigma_m : map_errors) {
-    const MapErrorKernel kernel(sigma_m);
+    const SharedErrorKernel kernel(kShifts, sigma_m);
     for (const double n_eff : n_effs) {
       for (const double hear_weight : hear_weights) {
         const MapCalibration trial{n_eff, hear_weight, sigma_m};

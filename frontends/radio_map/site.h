@@ -69,7 +69,7 @@ struct Site {
 
   // The map of a floor and radio, or nullptr where nothing was surveyed.
   const RadioMap* FindMap(int floor, Radio radio) const;
-  // The magnetic map of a floor, or nullptr where no two survey routes measured it.
+  // The magnetic map of a floor, or nullptr where too few survey routes measured it.
   const MagneticMap* FindMagneticMap(int floor) const;
   // Floors with at least one radio map, ascending.
   std::vector<int> SurveyedFloors() const;

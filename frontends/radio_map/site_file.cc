@@ -207,6 +207,7 @@ void ArchiveMagneticMap(A& a, M& map) {
   }
   a.Scalar(map.sigma_min_ut);
   a.Scalar(map.correlation_s);
+  a.Scalar(map.map_error_sigma_m);
 }
 
 template <typename A, typename S>

@@ -42,8 +42,7 @@ void AppendMagnetic(const std::vector<SurveyWalk>& walks, std::size_t index,
     if (!mean) continue;
     const PoseEstimate pose = walk.trajectory.At(time + DurationNs(kMagneticSampleS / 2));
     samples->push_back({pose.position_m.head<2>().cast<float>(), pose.floor,
-                        static_cast<std::uint32_t>(index), trial,
-                        static_cast<float>(mean->norm_ut),
+                        static_cast<std::uint32_t>(index), trial, static_cast<float>(mean->norm_ut),
                         static_cast<float>(mean->inclination_rad)});
   }
 }

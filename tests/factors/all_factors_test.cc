@@ -65,6 +65,7 @@ Blocks RandomBlocks(const std::vector<BlockKind>& kinds, Random* random) {
         blocks.push_back(Scalar(RandomHeading(random)));
         break;
       case BlockKind::kMapError:
+      case BlockKind::kMagneticError:
         blocks.emplace_back(Eigen::Vector2d(Normal(random), Normal(random)));
         break;
       default:
@@ -77,7 +78,8 @@ Blocks RandomBlocks(const std::vector<BlockKind>& kinds, Random* random) {
 Blocks MoveBlocks(const std::vector<BlockKind>& kinds, Blocks blocks, const Motion& motion) {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (kinds[i] == BlockKind::kPosition) blocks[i] = motion.Move(blocks[i]);
-    if (kinds[i] == BlockKind::kMapError) blocks[i] = motion.Turn(blocks[i]);
+    if (kinds[i] == BlockKind::kMapError || kinds[i] == BlockKind::kMagneticError)
+      blocks[i] = motion.Turn(blocks[i]);
     if (kinds[i] == BlockKind::kHeading) blocks[i][0] += motion.angle_rad();
   }
   return blocks;

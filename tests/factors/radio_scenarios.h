@@ -172,18 +172,19 @@ struct MagneticTwin {
   MagneticLook look;
 
   template <typename T>
-  bool operator()(const T* p, T* residual) const {
+  bool operator()(const T* p, const T* e, T* residual) const {
     using std::exp;
     using std::log;
     using std::sqrt;
-    const Eigen::Vector2d at(Plain(p[0]), Plain(p[1]));
+    const T x = p[0] + e[0], y = p[1] + e[1];
+    const Eigen::Vector2d at(Plain(x), Plain(y));
     const FieldBasis basis = EvaluateBasis(look.map->grid, at);
     T spread(0.0);
     for (int c = 0; c < 2; ++c) {
       const ScalarValue mean = look.map->Mean(c, basis), log_sigma = look.map->LogSigma(c, basis);
-      const T sigma = exp(Lift(log_sigma.value, log_sigma.gradient, at, p[0], p[1]));
+      const T sigma = exp(Lift(log_sigma.value, log_sigma.gradient, at, x, y));
       residual[c] = sqrt(look.weight) *
-                    (look.field_ut[c] - Lift(mean.value, mean.gradient, at, p[0], p[1])) / sigma;
+                    (look.field_ut[c] - Lift(mean.value, mean.gradient, at, x, y)) / sigma;
       spread += log(sigma / look.map->sigma_min_ut);
     }
     residual[2] = sqrt(look.weight) * sqrt(2.0 * spread + kRowOffset);
@@ -194,7 +195,9 @@ struct MagneticTwin {
 template <>
 struct Scenario<MagneticFactor> {
   static constexpr bool kGaussian = false;
-  static std::vector<BlockKind> kinds() { return {BlockKind::kPosition}; }
+  static std::vector<BlockKind> kinds() {
+    return {BlockKind::kPosition, BlockKind::kMagneticError};
+  }
   explicit Scenario(Random* random) : map(std::make_shared<MagneticMap>()) {
     constexpr int kCount = 13;
     map->grid = {{-3, -3}, 3.0, kCount, kCount};
@@ -211,7 +214,7 @@ struct Scenario<MagneticFactor> {
     return std::make_unique<MagneticFactor>(look);
   }
   std::unique_ptr<ceres::CostFunction> Twin() const {
-    return std::make_unique<ceres::AutoDiffCostFunction<MagneticTwin, 3, 2>>(
+    return std::make_unique<ceres::AutoDiffCostFunction<MagneticTwin, 3, 2, 2>>(
         new MagneticTwin{look});
   }
   Scenario Moved(const Motion& motion) const {

@@ -18,7 +18,8 @@ namespace {
 
 // The field of a hall of 40 x 12 m: waves of 8 m.
 Eigen::Vector2d TrueField(const Eigen::Vector2d& at) {
-  return {30 + 8 * std::sin(at.x() * 2 * std::numbers::pi / 8), -35 + 6 * std::cos(at.y() * 2 * std::numbers::pi / 8)};
+  return {30 + 8 * std::sin(at.x() * 2 * std::numbers::pi / 8),
+          -35 + 6 * std::cos(at.y() * 2 * std::numbers::pi / 8)};
 }
 
 // What a walk measures beside the field, sample by sample.
@@ -93,31 +94,34 @@ TEST(MagneticTrainer, FarFromTheSurveyItIsTheFloorAsAWhole) {
   EXPECT_LT(maps[0].LogSigma(0, within).value, maps[0].LogSigma(0, between).value - 0.5);
 }
 
-// A phone's own field stays the same all through a walk: its samples are worth fewer.
-TEST(MagneticTrainer, WhatStaysTheSameAlongAWalkMakesSamplesCorrelated) {
-  const std::vector<MagneticMap> white = TrainMagneticMaps(Survey(80, White(1.0)));
+// Walks surveyed beside where they were: the map's error is about as large, and is not taken for
+// noise that many samples would average out.
+TEST(MagneticTrainer, MapErrorIsThatOfTheSurvey) {
+  const std::vector<MagneticMap> exact = TrainMagneticMaps(Survey(80, White(1.0)));
   std::mt19937 random(5);
   Site shifted = Survey(80, White(1.0));
-  std::normal_distribution<double> normal(0, 3);
-  float offset = 0;
+  std::normal_distribution<float> normal(0, 1);
+  Eigen::Vector2f shift_m = Eigen::Vector2f::Zero();
   for (std::size_t i = 0; i < shifted.magnetic.size(); ++i) {
     if (i == 0 || shifted.magnetic[i].walk != shifted.magnetic[i - 1].walk) {
-      offset = static_cast<float>(normal(random));
+      const float x = normal(random), y = normal(random);
+      shift_m = {x, y};
     }
-    shifted.magnetic[i].norm_ut += offset;
+    shifted.magnetic[i].position_m += shift_m;
   }
-  const std::vector<MagneticMap> biased = TrainMagneticMaps(shifted);
-  ASSERT_EQ(white.size(), 1U);
-  ASSERT_EQ(biased.size(), 1U);
-  EXPECT_LT(white[0].correlation_s, 3);
-  EXPECT_GT(biased[0].correlation_s, 15);
+  const std::vector<MagneticMap> beside = TrainMagneticMaps(shifted);
+  ASSERT_EQ(exact.size(), 1U);
+  ASSERT_EQ(beside.size(), 1U);
+  EXPECT_LT(exact[0].map_error_sigma_m, 0.5);
+  EXPECT_GE(beside[0].map_error_sigma_m, 0.7);
+  EXPECT_LE(beside[0].map_error_sigma_m, 1.4);
 }
 
-TEST(MagneticTrainer, NeedsThreeRoutes) {
-  EXPECT_TRUE(TrainMagneticMaps(Survey(2, White(1.0))).empty());
+TEST(MagneticTrainer, NeedsSixTrials) {
+  EXPECT_TRUE(TrainMagneticMaps(Survey(5, White(1.0))).empty());
   EXPECT_TRUE(TrainMagneticMaps(Site()).empty());
-  Site site = Survey(6, White(1.0));
-  for (SurveyMagnetic& sample : site.magnetic) sample.trial = sample.walk % 2;
+  Site site = Survey(12, White(1.0));
+  for (SurveyMagnetic& sample : site.magnetic) sample.trial = sample.walk % 5;
   EXPECT_TRUE(TrainMagneticMaps(site).empty());
 }
 

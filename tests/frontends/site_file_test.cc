@@ -57,6 +57,7 @@ Site SmallSite() {
   }
   magnetic.sigma_min_ut = 1.5;
   magnetic.correlation_s = 2.5;
+  magnetic.map_error_sigma_m = 0.7;
   site.magnetic_maps = {magnetic};
   return site;
 }
@@ -143,7 +144,7 @@ TEST(SiteFileTest, NoticesEveryFlippedByte) {
 TEST(SiteFileTest, NamesTheVersionThatItCannotRead) {
   std::string bytes = SerializeSite(SmallSite());
   bytes[std::string("WALKGRAPHSITE\n").size()] = 99;
-  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 4")));
+  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 5")));
 }
 
 TEST(SiteFileTest, TellsWhatIsNoSite) {
