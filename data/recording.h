@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ struct Recording {
   std::string device;   // phone model, empty where unknown
   TimeNs begin_ns = 0;  // first sample of any stream or radio row
   TimeNs end_ns = 0;    // last sample of any stream or radio row
+  // Unix time of begin_ns, to minutes: what two recordings' clocks are compared by. None where
+  // neither the stamps nor the file tell.
+  std::optional<TimeNs> begin_unix_ns;
 
   Stream<Eigen::Vector3d> accelerometer_mps2;  // specific force, device axes
   Stream<Eigen::Vector3d> gyroscope_radps;     // device axes, as calibrated by the phone

@@ -44,7 +44,8 @@ bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
   for (const MapSweep::Reading& reading : sweep_.readings) {
     const ScalarValue mean = map_->EvaluateMean(reading.field, basis, gradients);
     const ScalarValue log_sigma = map_->EvaluateLogSigma(reading.field, basis, gradients);
-    const double information = std::exp(-log_sigma.value);  // 1/dB
+    const double information =
+        std::sqrt(double{reading.precision}) * std::exp(-log_sigma.value);  // 1/dB
     const double whitened = (reading.rssi_dbm + blocks[2][0] - mean.value) * information;
     const RobustRow robust = ApplyLoss(loss_, whitened);
     residual[row] = root_weight * robust.value;
@@ -68,7 +69,10 @@ bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
 }
 
 double FingerprintFactor::LogNormaliser() const {
-  return sweep_.weight * readings() * GaussianLogNormaliser(map_->sigma_min_db);
+  double nats = readings() * GaussianLogNormaliser(map_->sigma_min_db);
+  for (const MapSweep::Reading& reading : sweep_.readings)
+    nats -= 0.5 * std::log(reading.precision);
+  return sweep_.weight * nats;
 }
 
 bool HearingFactor::Evaluate(const double* const* blocks, double* residual,

@@ -23,7 +23,7 @@ namespace walkgraph {
 
 // How strong the readings of (part of) a scan are. With m, s the map's mean and spread, s_min the
 // map's smallest, z_i the readings (dBm) and b the device's offset (dB), row i and the last row are
-//   sqrt(w) rho((z_i + b - m_i(u)) / s_i(u)),
+//   sqrt(w) rho(sqrt(p_i) (z_i + b - m_i(u)) / s_i(u)),   p_i its precision, mostly 1,
 //   sqrt(w) sqrt(2 sum_i log(s_i(u) / s_min) + kRowOffset),
 // so that no optimum can flee to where the map knows nothing. rho is the loss, reading by reading.
 // Blocks: position, map error, RSSI offset.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "factors/refresh_rate.h"
 #include "frontends/radio_map/sweeps.h"
 
 namespace walkgraph {
@@ -13,6 +14,11 @@ namespace {
 double ScanWeight(std::size_t readings, const RadioMap& map, const FingerprintSettings& settings) {
   const double n_eff = settings.n_eff > 0 ? settings.n_eff : map.n_eff;
   return n_eff > 0 ? std::min(1.0, n_eff / static_cast<double>(readings)) : 1.0;
+}
+
+float RefreshPrecision(const Evidence& evidence, const RadioReading& reading) {
+  if (MotionStateAt(evidence, reading.heard_ns) != MotionState::kWalking) return 1;
+  return static_cast<float>(RefreshRate().Weight(reading.rssi_dbm));
 }
 
 TimeNs MeanHeard(const std::vector<MapSweep::Reading>& readings) {
@@ -67,7 +73,8 @@ std::vector<MapSweep> CollectMapSweeps(const Site& site, const RadioMap& map,
     for (const std::size_t i : scan.readings) {
       const RadioReading& reading = evidence.readings[i];
       if (field_of[reading.transmitter] < 0 || reading.rssi_dbm < settings.min_rssi_dbm) continue;
-      known.readings.push_back({field_of[reading.transmitter], reading.rssi_dbm, reading.heard_ns});
+      known.readings.push_back({field_of[reading.transmitter], reading.rssi_dbm, reading.heard_ns,
+                                settings.refresh_rate ? RefreshPrecision(evidence, reading) : 1});
     }
     if (known.readings.empty()) continue;
     known.weight = ScanWeight(known.readings.size(), map, settings);

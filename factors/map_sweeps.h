@@ -20,6 +20,7 @@ struct MapSweep {
     int field = 0;  // index into RadioMap::fields
     float rssi_dbm = 0;
     TimeNs heard_ns = 0;
+    float precision = 1;  // what the map's variance is divided by, in (0, 1] (see RefreshRate)
   };
   Radio radio = Radio::kWifi;
   TimeNs printed_ns = 0;
@@ -34,7 +35,8 @@ struct MapSweep {
 // the map or weaker than settings.min_rssi_dbm are left out. A scan heard over more than
 // `max_span_s` is cut into parts of equal duration no longer than that; its silence is shared out
 // by their readings. N_eff is settings.n_eff or, where that is 0, the map's; a weight of 1 where
-// both are 0.
+// both are 0. With settings.refresh_rate a reading heard while walking has the precision of
+// RefreshRate: the weaker it is, the likelier it is an old one, of a place passed before.
 std::vector<MapSweep> CollectMapSweeps(const Site& site, const RadioMap& map,
                                        const Evidence& evidence,
                                        const FingerprintSettings& settings,

@@ -60,6 +60,7 @@ struct FingerprintSettings {
   bool zigbee = true;
   double n_eff = 0;            // independent readings per scan; 0 takes the site's calibrated value
   double min_rssi_dbm = -120;  // weaker readings are not used
+  bool refresh_rate = false;   // weak readings of a walking person are the less precise
   // Readings miss the map by far more than a normal density allows: people stand in the way, access
   // points change their power. 1.345 keeps 95 % of the efficiency where they do not (Huber 1981).
   LossSettings loss{LossKind::kHuber, 1.345};
@@ -227,6 +228,8 @@ void Visit(Visitor& v, FingerprintSettings& s) {
   v.Field("zigbee", s.zigbee, "use ZigBee readings");
   v.Field("n_eff", s.n_eff, "independent readings per scan; 0 takes the site's calibrated value");
   v.Field("min_rssi_dbm", s.min_rssi_dbm, "weaker readings are not used, dBm");
+  v.Field("refresh_rate", s.refresh_rate,
+          "give weak readings of a walking person the greater variance of TCPF's refresh rate");
   Visit(v, s.loss);
 }
 template <typename Visitor>

@@ -20,6 +20,7 @@ Evidence BuildEvidence(const Recording& recording, const FrontendSettings& setti
   evidence.device = recording.device;
   evidence.begin_ns = recording.begin_ns;
   evidence.end_ns = recording.end_ns;
+  evidence.begin_unix_ns = recording.begin_unix_ns;
 
   const Stream<Eigen::Vector3d> up = EstimateUp(recording, settings.gravity);
   evidence.gyro_yaw_rad =

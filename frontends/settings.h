@@ -39,6 +39,8 @@ struct StepDetectorSettings {
   double min_interval_s = 0.3;  // no walker takes more than 3.3 steps a second
   double max_interval_s = 1.5;  // a step with no neighbour closer than this is not walking
   double weinberg_k = 0.45;     // m / (m/s^2)^(1/4)
+  bool fourier_confirmation = false;
+  double fourier_window_s = 5.0;  // ten steps: the frequency is known to a fraction of one
 };
 
 // Integration of the gyroscope about the vertical.
@@ -96,6 +98,9 @@ void Visit(Visitor& v, StepDetectorSettings& s) {
   v.Field("min_interval_s", s.min_interval_s, "shortest time between two steps, s");
   v.Field("max_interval_s", s.max_interval_s, "longest time between two steps of a walk, s");
   v.Field("weinberg_k", s.weinberg_k, "step length over the fourth root of its swing");
+  v.Field("fourier_confirmation", s.fourier_confirmation,
+          "confirm peaks by the walking frequency of a Fourier transform (DSFF)");
+  v.Field("fourier_window_s", s.fourier_window_s, "span of that transform, s");
 }
 template <typename Visitor>
 void Visit(Visitor& v, YawSettings& s) {

@@ -7,21 +7,10 @@
 
 #include "frontends/gravity.h"
 #include "frontends/signal.h"
+#include "frontends/step_confirmation.h"
 
 namespace walkgraph {
 namespace {
-
-// A peak with the valleys on both sides of it.
-struct Peak {
-  TimeNs time_ns = 0;
-  double value = 0;
-  TimeNs valley_before_ns = 0;
-  TimeNs valley_after_ns = 0;
-  double lowest_valley = 0;
-  double threshold = 0;  // the swing it has to have
-
-  double Swing() const { return value - lowest_valley; }
-};
 
 struct Extreme {
   std::size_t index = 0;
@@ -63,10 +52,10 @@ std::vector<Extreme> AlternatingExtremes(const std::vector<double>& signal,
   return out;
 }
 
-std::vector<Peak> FindPeaks(const Stream<double>& gait, const StepDetectorSettings& settings) {
+std::vector<StepPeak> FindPeaks(const Stream<double>& gait, const StepDetectorSettings& settings) {
   const std::vector<double> threshold = Thresholds(gait, settings);
   const std::vector<Extreme> extremes = AlternatingExtremes(gait.value, threshold);
-  std::vector<Peak> peaks;
+  std::vector<StepPeak> peaks;
   for (std::size_t i = 1; i < extremes.size(); i += 2) {
     const Extreme& before = extremes[i - 1];
     const Extreme& after = i + 1 < extremes.size() ? extremes[i + 1] : extremes[i];
@@ -81,11 +70,11 @@ std::vector<Peak> FindPeaks(const Stream<double>& gait, const StepDetectorSettin
 }
 
 // Peaks high enough, the higher one of two that are too close.
-std::vector<Peak> StrongPeaks(const std::vector<Peak>& peaks,
-                              const StepDetectorSettings& settings) {
+std::vector<StepPeak> StrongPeaks(const std::vector<StepPeak>& peaks,
+                                  const StepDetectorSettings& settings) {
   const TimeNs min_interval_ns = DurationNs(settings.min_interval_s);
-  std::vector<Peak> strong;
-  for (const Peak& peak : peaks) {
+  std::vector<StepPeak> strong;
+  for (const StepPeak& peak : peaks) {
     if (peak.Swing() < peak.threshold) continue;
     const bool close = !strong.empty() && peak.time_ns - strong.back().time_ns < min_interval_ns;
     if (!close) {
@@ -97,12 +86,12 @@ std::vector<Peak> StrongPeaks(const std::vector<Peak>& peaks,
   return strong;
 }
 
-std::vector<Peak> OutsideHandling(const std::vector<Peak>& peaks,
-                                  const std::vector<TimeSpan>& handling,
-                                  std::map<std::string, std::int64_t>* counts) {
-  std::vector<Peak> outside;
+std::vector<StepPeak> OutsideHandling(const std::vector<StepPeak>& peaks,
+                                      const std::vector<TimeSpan>& handling,
+                                      std::map<std::string, std::int64_t>* counts) {
+  std::vector<StepPeak> outside;
   std::size_t h = 0;
-  for (const Peak& peak : peaks) {
+  for (const StepPeak& peak : peaks) {
     while (h < handling.size() && handling[h].end_ns < peak.time_ns) ++h;
     if (h < handling.size() && handling[h].begin_ns <= peak.time_ns) {
       ++(*counts)["step_while_handling"];
@@ -114,7 +103,7 @@ std::vector<Peak> OutsideHandling(const std::vector<Peak>& peaks,
 }
 
 // Appends the steps of peaks [begin, end), all closer together than the longest interval.
-void AppendRun(const std::vector<Peak>& peaks, std::size_t begin, std::size_t end,
+void AppendRun(const std::vector<StepPeak>& peaks, std::size_t begin, std::size_t end,
                const StepDetectorSettings& settings, std::vector<StepEvidence>* steps) {
   const TimeNs first_half_ns = (peaks[begin + 1].time_ns - peaks[begin].time_ns) / 2;
   const TimeNs last_half_ns = (peaks[end - 1].time_ns - peaks[end - 2].time_ns) / 2;
@@ -176,8 +165,9 @@ std::vector<StepEvidence> DetectSteps(const Stream<double>& gait,
                                       std::map<std::string, std::int64_t>* counts) {
   std::vector<StepEvidence> steps;
   if (gait.empty()) return steps;
-  const std::vector<Peak> peaks =
+  std::vector<StepPeak> peaks =
       OutsideHandling(StrongPeaks(FindPeaks(gait, settings), settings), handling, counts);
+  if (settings.fourier_confirmation) peaks = ConfirmByFrequency(gait, peaks, settings, counts);
   const TimeNs max_interval_ns = DurationNs(settings.max_interval_s);
   for (std::size_t begin = 0; begin < peaks.size();) {
     std::size_t end = begin + 1;

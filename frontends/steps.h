@@ -25,7 +25,8 @@ Stream<double> GaitSignal(const Stream<Eigen::Vector3d>& accelerometer_mps2,
 // valley after it; the first and last of a run take half an interval outwards. Length after
 // Weinberg ("Using the ADXL202 in pedometer and personal navigation applications", AN-602, 2002): K
 // swing^(1/4). Peaks inside `handling` and peaks without a neighbour are no steps; both are counted
-// ("step_while_handling", "step_alone"). Linear time.
+// ("step_while_handling", "step_alone"). Linear time. With settings.fourier_confirmation the peaks
+// are confirmed by the walking frequency (see ConfirmByFrequency).
 std::vector<StepEvidence> DetectSteps(const Stream<double>& gait,
                                       const std::vector<TimeSpan>& handling,
                                       const StepDetectorSettings& settings,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "data/formats/java_date.h"
 #include "data/formats/record_counter.h"
 #include "data/formats/recording_builder.h"
 #include "data/formats/sensor_clock.h"
@@ -56,6 +57,7 @@ class GetSensorDataReader {
   RecordingBuilder builder_;
   RecordCounter counter_;
   std::string device_;
+  std::optional<TimeNs> created_ns_;  // Unix time
   SensorSamples<Eigen::Vector3d> acceleration_;
   SensorSamples<Eigen::Vector3d> angular_rate_;
   SensorSamples<Eigen::Vector3d> magnetic_field_;
@@ -76,8 +78,9 @@ std::string_view Trim(std::string_view text) {
 }
 
 void GetSensorDataReader::ReadHeader(std::string_view line) {
-  constexpr std::string_view kModel = "% Model:";
+  constexpr std::string_view kModel = "% Model:", kCreated = "% Date of creation:";
   if (line.starts_with(kModel)) device_ = Trim(line.substr(kModel.size()));
+  if (line.starts_with(kCreated)) created_ns_ = ParseJavaDate(Trim(line.substr(kCreated.size())));
 }
 
 bool GetSensorDataReader::ReadVector(TimeNs time, FieldReader fields,
@@ -217,6 +220,8 @@ void GetSensorDataReader::Read(std::string_view text, Walk* walk) {
   builder_.Finish(&walk->recording, &walk->truth);
   walk->truth.frame = TruthFrame::kWgs84;
   walk->recording.device = device_;
+  // AppTimestamp counts from about then.
+  if (created_ns_) walk->recording.begin_unix_ns = *created_ns_ + walk->recording.begin_ns;
 }
 
 bool LooksLikeRecord(std::string_view line) {

@@ -267,6 +267,9 @@ void RecordingBuilder::Finish(Recording* recording, Truth* truth) {
     extend(recording_.radio_rows.front().printed_ns, recording_.radio_rows.back().printed_ns);
   }
   if (recording_.begin_ns > recording_.end_ns) recording_.begin_ns = recording_.end_ns = 0;
+  // Clocks that run from the start of the phone or of the app come nowhere near.
+  constexpr TimeNs kYear2000 = 946'684'800 * kNsPerSecond;
+  if (recording_.begin_ns > kYear2000) recording_.begin_unix_ns = recording_.begin_ns;
 
   *recording = std::move(recording_);
   *truth = std::move(truth_);

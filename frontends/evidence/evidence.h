@@ -63,6 +63,7 @@ struct Evidence {
   std::string device;
   TimeNs begin_ns = 0;  // the recorded span
   TimeNs end_ns = 0;
+  std::optional<TimeNs> begin_unix_ns;  // as Recording's
 
   std::vector<StepEvidence> steps;     // by time, not overlapping
   std::vector<MotionInterval> motion;  // by time

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
+#include <utility>
 
 namespace walkgraph {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 constexpr double kMergeM = 0.5;
 constexpr double kSquareM = 2.0;               // samples are found through squares of this side
 constexpr double kMinSigmaUt = 0.3;            // resolution of phones' magnetometers
-constexpr std::size_t kLeftOutSamples = 3000;  // that a model is chosen on; more change no choice
+constexpr std::size_t kLeftOutSamples = 1000;  // that a model is chosen on; more change no choice
 constexpr std::array kBandwidthsM{0.7, 1.0, 1.5, 2.5, 4.0};
 constexpr std::array kPriorWeights{0.03, 0.1, 0.3, 1.0};
 
@@ -58,13 +60,21 @@ double LeftOutLogDensity(const KernelField& field, const KernelModel& model) {
 }  // namespace
 
 KernelField::KernelField(const std::vector<PlacedField>& samples) : samples_(Merge(samples)) {
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    squares_[SquareOf(samples_[i].position_m)].push_back(i);
-    floor_.mean_ut += samples_[i].field_ut.array();
-  }
-  floor_.mean_ut /= static_cast<double>(samples_.size());
+  Eigen::Vector2d high = samples_.front().position_m;
+  origin_m_ = high;
   for (const PlacedField& sample : samples_) {
-    floor_.variance_ut2 += (sample.field_ut.array() - floor_.mean_ut).square();
+    origin_m_ = origin_m_.cwiseMin(sample.position_m);
+    high = high.cwiseMax(sample.position_m);
+    floor_.mean_ut += sample.field_ut.array();
+  }
+  squares_ = SquareOf(high) + 1;
+  in_square_.resize(static_cast<std::size_t>(squares_.prod()));
+  floor_.mean_ut /= static_cast<double>(samples_.size());
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Eigen::Array2i square = SquareOf(samples_[i].position_m);
+    in_square_[static_cast<std::size_t>(square.y() * squares_.x() + square.x())].push_back(
+        static_cast<std::uint32_t>(i));
+    floor_.variance_ut2 += (samples_[i].field_ut.array() - floor_.mean_ut).square();
   }
   floor_.variance_ut2 /= static_cast<double>(samples_.size());
   floor_.variance_ut2 = floor_.variance_ut2.max(kMinSigmaUt * kMinSigmaUt);
@@ -78,12 +88,11 @@ FieldDensity KernelField::At(const Eigen::Vector2d& place, const KernelModel& mo
   double weight = model.prior_weight;
   Eigen::Array2d sum = Eigen::Array2d::Zero();
   Eigen::Array2d squares = model.prior_weight * floor_.variance_ut2;
-  const Square first = SquareOf(place.array() - reach_m), last = SquareOf(place.array() + reach_m);
-  for (long x = first.first; x <= last.first; ++x) {
-    for (long y = first.second; y <= last.second; ++y) {
-      const auto found = squares_.find({x, y});
-      if (found == squares_.end()) continue;
-      for (const std::size_t i : found->second) {
+  const Eigen::Array2i first = SquareOf(place.array() - reach_m).max(0);
+  const Eigen::Array2i last = SquareOf(place.array() + reach_m).min(squares_ - 1);
+  for (int y = first.y(); y <= last.y(); ++y) {
+    for (int x = first.x(); x <= last.x(); ++x) {
+      for (const std::uint32_t i : in_square_[static_cast<std::size_t>(y * squares_.x() + x)]) {
         const PlacedField& sample = samples_[i];
         const double squared_m2 = (sample.position_m - place).squaredNorm();
         if (squared_m2 > reach_m * reach_m || sample.trial == left_out) continue;
@@ -100,9 +109,8 @@ FieldDensity KernelField::At(const Eigen::Vector2d& place, const KernelModel& mo
           1.0 - model.prior_weight / weight};
 }
 
-KernelField::Square KernelField::SquareOf(const Eigen::Vector2d& place) {
-  return {static_cast<long>(std::floor(place.x() / kSquareM)),
-          static_cast<long>(std::floor(place.y() / kSquareM))};
+Eigen::Array2i KernelField::SquareOf(const Eigen::Vector2d& place) const {
+  return ((place - origin_m_).array() / kSquareM).floor().cast<int>();
 }
 
 KernelModel SelectKernelModel(const KernelField& field) {

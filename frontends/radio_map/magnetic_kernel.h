@@ -2,11 +2,8 @@
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_MAGNETIC_KERNEL_H_
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace walkgraph {
@@ -49,11 +46,14 @@ class KernelField {
                   std::optional<std::uint32_t> left_out = std::nullopt) const;
 
  private:
-  using Square = std::pair<long, long>;
-  static Square SquareOf(const Eigen::Vector2d& place);
+  // Column and row of the square that a place lies in; off the table where no sample is near.
+  Eigen::Array2i SquareOf(const Eigen::Vector2d& place) const;
 
   std::vector<PlacedField> samples_;
-  std::map<Square, std::vector<std::size_t>> squares_;
+  // Indices of the samples by square, row by row from `origin_m_`.
+  Eigen::Vector2d origin_m_ = Eigen::Vector2d::Zero();
+  Eigen::Array2i squares_ = Eigen::Array2i::Zero();  // columns and rows
+  std::vector<std::vector<std::uint32_t>> in_square_;
   FieldDensity floor_;
 };
 

@@ -20,7 +20,7 @@ namespace {
 constexpr double kGridM = 1.0;  // of the control points: steel bends the field over metres
 constexpr std::size_t kMinTrials = 6;
 constexpr std::size_t kFolds = 3;
-constexpr std::size_t kPiecesPerFold = 60;
+constexpr std::size_t kPiecesPerFold = 40;
 constexpr std::size_t kPartSamples = 10;  // 5 s
 constexpr std::size_t kPieceParts = 4;
 constexpr ShiftGrid kShifts(0.5, 8);

@@ -51,16 +51,26 @@ struct SurveyMagnetic {
   float inclination_rad = 0;
 };
 
+// What a phone's barometer had over the true height on a survey walk: weather and device. Whoever
+// carries the same phone soon after has about the same.
+struct SurveyedOffset {
+  std::string device;
+  TimeNs unix_ns = 0;  // the middle of the walk
+  double offset_m = 0;
+  double sigma_m = 0;  // of the walk's own heights about it
+};
+
 // What a survey leaves behind: the building, the raw placed readings (for methods that compare
 // fingerprints) and the fields trained on them (for methods that need a likelihood).
 struct Site {
   Building building;
   std::vector<Transmitter> transmitters;  // sorted, each once
   std::vector<SurveyPoint> path;
-  std::vector<SurveyScan> scans;           // by walk, then printed_ns
-  std::vector<SurveyMagnetic> magnetic;    // by walk, then time
-  std::vector<RadioMap> maps;              // by floor, then radio
-  std::vector<MagneticMap> magnetic_maps;  // by floor
+  std::vector<SurveyScan> scans;                   // by walk, then printed_ns
+  std::vector<SurveyMagnetic> magnetic;            // by walk, then time
+  std::vector<RadioMap> maps;                      // by floor, then radio
+  std::vector<MagneticMap> magnetic_maps;          // by floor
+  std::vector<SurveyedOffset> barometric_offsets;  // by walk
   // How long after its stamp a reading of a radio speaks of the place where the phone was, s.
   // Clocks play a part, and the walker's body, which makes what lies ahead sound nearer than what
   // lies behind. Calibrated in the survey, whose readings were placed with it; AlignReadings()

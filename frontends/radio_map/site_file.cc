@@ -250,6 +250,12 @@ void ArchiveSite(A& a, S& site) {
   });
   Each(a, site.maps, [](A& b, auto& map) { ArchiveMap(b, map); });
   Each(a, site.magnetic_maps, [](A& b, auto& map) { ArchiveMagneticMap(b, map); });
+  Each(a, site.barometric_offsets, [](A& b, auto& offset) {
+    b.Text(offset.device);
+    b.Scalar(offset.unix_ns);
+    b.Scalar(offset.offset_m);
+    b.Scalar(offset.sigma_m);
+  });
   for (auto& lag_s : site.reading_lag_s) a.Scalar(lag_s);
 }
 

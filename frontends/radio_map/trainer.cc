@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "frontends/radio_map/barometric_history.h"
 #include "frontends/radio_map/magnetic_trainer.h"
 #include "frontends/radio_map/map_builder.h"
 #include "frontends/radio_map/map_calibration.h"
@@ -127,6 +128,9 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
   for (std::size_t i = 0; i < walks.size(); ++i) {
     AppendSurveyPath(walks[i].trajectory, static_cast<std::uint32_t>(i), &site.path);
     AppendMagnetic(walks, i, &site.magnetic);
+    if (auto offset = MeasureBarometricOffset(building, walks[i])) {
+      site.barometric_offsets.push_back(std::move(*offset));
+    }
     site_index.push_back(MatchTransmitters(site, *walks[i].evidence));
   }
   for (const Radio radio : kAllRadios) {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "frontends/radio_map/sweeps.h"
-#include "solvers/baselines/refresh_rate.h"
+#include "factors/refresh_rate.h"
 
 namespace walkgraph {
 namespace {

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "frontends/radio_map/barometric_history.h"
 #include "solvers/baselines/fixes.h"
 #include "solvers/baselines/floor_likelihood.h"
 
@@ -25,6 +26,9 @@ constexpr double kAnywhereM = 20.0;
 // Doors and ventilation shift the pressure of a whole house now and then: once in three hours.
 constexpr double kJumpsPerS = 1e-4;
 
+// That a phone of a model that the survey knows is another one, or has been reset: our choice.
+constexpr double kOtherPhoneChance = 0.05;
+
 // A distribution: a column for each floor and one for "between", a row for each cell of the offset.
 using Belief = Eigen::MatrixXd;
 
@@ -34,6 +38,8 @@ class FloorModel {
              std::vector<int> floors, Eigen::VectorXd log_prior)
       : evidence_(evidence),
         settings_(settings),
+        offset_prior_(PriorOfOffset(site.barometric_offsets, evidence,
+                                    settings.barometric_offset.walk_m_per_sqrt_s)),
         floors_(std::move(floors)),
         log_prior_(std::move(log_prior)) {
     for (const int floor : floors_) heights_m_.push_back(FloorHeight(site, floor));
@@ -49,6 +55,7 @@ class FloorModel {
     belief.leftCols(Columns() - 1).rowwise() =
         (1 - between) * log_prior_.array().exp().matrix().transpose();
     belief.rightCols(1).setConstant(between);
+    belief = (belief.array().colwise() * OffsetPriorOfCells().array()).matrix();
     return belief / belief.sum();
   }
 
@@ -111,6 +118,24 @@ class FloorModel {
     cells_ = static_cast<int>(std::ceil(span_m / cell_m_)) + 1;
   }
 
+  // Without a history of the phone's offset any is as likely.
+  Eigen::VectorXd OffsetPriorOfCells() const {
+    Eigen::VectorXd prior = Eigen::VectorXd::Ones(cells_);
+    if (!offset_prior_ || cells_ == 1) return prior;
+    const double variance = offset_prior_->sigma_m * offset_prior_->sigma_m +
+                            settings_.level.sigma_m * settings_.level.sigma_m +
+                            cell_m_ * cell_m_ / 12.0;
+    for (int c = 0; c < cells_; ++c) {
+      const double d = first_m_ + c * cell_m_ - offset_prior_->mean_m;
+      prior[c] = std::exp(-0.5 * d * d / variance);
+    }
+    // Off the grid it would be another phone's for certain.
+    const double sum = prior.sum();
+    if (!(sum > 0)) return Eigen::VectorXd::Ones(cells_);
+    return (1 - kOtherPhoneChance) * prior / sum +
+           Eigen::VectorXd::Constant(cells_, kOtherPhoneChance / cells_);
+  }
+
   // The random walk of the offset by one cell at most, and its jumps. Symmetric.
   Belief Drift(const Belief& belief) const {
     if (cells_ == 1) return belief;
@@ -146,6 +171,7 @@ class FloorModel {
 
   const Evidence& evidence_;
   const FactorSettings& settings_;
+  std::optional<OffsetPrior> offset_prior_;
   std::vector<int> floors_;
   Eigen::VectorXd log_prior_;  // by floor
   std::vector<double> heights_m_;

@@ -27,7 +27,8 @@ struct FloorTrack {
 // A hidden Markov model over the surveyed floors and the way between them, and the offset of the
 // barometer, on a grid of heights, which connects them: at offset b the person's height is H - b, H
 // the height by the barometer. On a floor that is the floor's, between floors any. Radio evidence
-// tells the floors apart by the survey's own (see FloorSounds). Without a
+// tells the floors apart by the survey's own (see FloorSounds). Where the survey has the same model
+// of phone, its offset then and the time since are a prior of the offset. Without a
 // barometer, or heights of the floors, the model is that of the floors alone. Where the evidence
 // gives a floor that is the answer, and where only one is surveyed that one.
 //

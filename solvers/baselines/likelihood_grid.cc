@@ -33,10 +33,10 @@ struct NegativeLog {
   float inverse_sigma = 0;
   float constant_nats = 0;  // log(sigma / sigma_min) - h logit
 
-  Terms At(float rssi_dbm, const LossSettings& loss) const {
-    const RobustCost cost = CostUnderLoss(loss, (rssi_dbm - mean_dbm) * inverse_sigma);
-    return {cost.nats + constant_nats, cost.slope * inverse_sigma,
-            cost.weight * inverse_sigma * inverse_sigma};
+  Terms At(float rssi_dbm, float root_precision, const LossSettings& loss) const {
+    const float inverse = root_precision * inverse_sigma;
+    const RobustCost cost = CostUnderLoss(loss, (rssi_dbm - mean_dbm) * inverse);
+    return {cost.nats + constant_nats, cost.slope * inverse, cost.weight * inverse * inverse};
   }
 };
 
@@ -98,6 +98,7 @@ struct LikelihoodGrid::Hearing {
   int field = 0;
   std::size_t sweep = 0;
   float rssi_dbm = 0;
+  float root_precision = 1;
 };
 
 LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
@@ -166,7 +167,7 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
   std::vector<Hearing> hearings;
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     for (const MapSweep::Reading& reading : sweeps[s].readings) {
-      hearings.push_back({reading.field, s, reading.rssi_dbm});
+      hearings.push_back({reading.field, s, reading.rssi_dbm, std::sqrt(reading.precision)});
     }
   }
   std::stable_sort(hearings.begin(), hearings.end(),
@@ -182,13 +183,14 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
     const FieldSamples samples = Sample(field, segments);
     for (const int current = hearing->field; hearing != hearings.end() && hearing->field == current;
          ++hearing) {
-      const Terms constant = samples.background.At(hearing->rssi_dbm, loss_);
+      const float rssi_dbm = hearing->rssi_dbm, root_precision = hearing->root_precision;
+      const Terms constant = samples.background.At(rssi_dbm, root_precision, loss_);
       background[hearing->sweep] += constant;
       const NegativeLog* at = samples.at.data();
       for (const Segment& segment : segments) {
         Terms* sum = sorted[hearing->sweep].data();
         for (std::size_t i = segment.begin; i < segment.end; ++i) {
-          sum[i] += at++->At(hearing->rssi_dbm, loss_) - constant;
+          sum[i] += at++->At(rssi_dbm, root_precision, loss_) - constant;
         }
       }
     }

@@ -15,13 +15,14 @@ namespace walkgraph {
 
 // -log p of sweeps over many positions at once. For a sweep of readings z_i and a position x
 //   -log p = weight * (h silence_share * S(x)
-//            + sum_i [rho((z_i - mean_i(x)) / sigma_i(x)) / 2 + log(sigma_i(x) / sigma_min)
+//            + sum_i [rho(sqrt(p_i) (z_i - mean_i(x)) / sigma_i(x)) / 2 + log(sigma_i(x) /
+//            sigma_min)
 //                     - h logit p_hear_i(x)])
-// where S sums -log(1 - p_hear) over all transmitters, so that -logit turns the silence of a heard
-// one into its -log p_hear, and h is the map's hear_weight: the full likelihood that the factors of
-// the graph have, up to a constant. The graph's RSSI offset is a state; here an offset common to
-// the sweep's readings, with a normal prior, is integrated out (under a loss rho that is no square,
-// in the quadratic of its weights).
+// where p_i is a reading's precision and S sums -log(1 - p_hear) over all transmitters, so that
+// -logit turns the silence of a heard one into its -log p_hear, and h is the map's hear_weight: the
+// full likelihood that the factors of the graph have, up to a constant. The graph's RSSI offset is
+// a state; here an offset common to the sweep's readings, with a normal prior, is integrated out
+// (under a loss rho that is no square, in the quadratic of its weights).
 class LikelihoodGrid {
  public:
   // Keeps a reference to `map`, which must outlive it; `positions_m` may lie anywhere.

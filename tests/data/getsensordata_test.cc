@@ -19,6 +19,16 @@ constexpr char kHeader[] =
 
 Walk ReadBody(const std::string& body) { return ReadGetSensorData(kHeader + body); }
 
+// The log was begun at 8:00:58 UTC, and its stamps count from then.
+TEST(GetSensorData, DateOfCreationTellsUnixTime) {
+  const std::string body = "PRES;2.5;9600.5;976.875;3\n";
+  const Walk dated = ReadGetSensorData(
+      std::string(kHeader) + "% Date of creation: Wed Jun 14 10:00:58 GMT+02:00 2023\n" + body);
+  ASSERT_TRUE(dated.recording.begin_unix_ns.has_value());
+  EXPECT_EQ(*dated.recording.begin_unix_ns, 1'686'729'658 * kNsPerSecond + DurationNs(2.5));
+  EXPECT_FALSE(ReadBody(body).recording.begin_unix_ns.has_value());
+}
+
 TEST(GetSensorData, ReadsEveryUsedRecord) {
   const Walk walk = ReadBody(
       "ACCE;0.5;9600.5;-2.0;7.5;5.75;3\n"

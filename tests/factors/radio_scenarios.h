@@ -102,7 +102,7 @@ struct RadioTwin {
       spread += log(exp(log_sigma) / map->sigma_min_db);
       heard += log(1.0 - p) - log(p);
       if (hearing) continue;
-      residual[i] = sqrt(sweep.weight) *
+      residual[i] = sqrt(sweep.weight * double{sweep.readings[i].precision}) *
                     (double{sweep.readings[i].rssi_dbm} + blocks[2][0] -
                      Lift(field.mean_dbm, field.d_mean, at, x, y)) /
                     exp(log_sigma);
@@ -126,7 +126,8 @@ struct RadioScenario {
   explicit RadioScenario(Random* random) : map(std::make_shared<RadioMap>(MakeRandomMap(random))) {
     sweep.weight = 0.3;
     for (int f = 0; f < 4; ++f) {
-      sweep.readings.push_back({f, static_cast<float>(-70 + Normal(random, 10)), 0});
+      sweep.readings.push_back(
+          {f, static_cast<float>(-70 + Normal(random, 10)), 0, f == 0 ? 0.3F : 1.0F});
     }
   }
   std::unique_ptr<ceres::CostFunction> Cost() const {

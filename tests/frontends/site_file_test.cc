@@ -59,6 +59,7 @@ Site SmallSite() {
   magnetic.correlation_s = 2.5;
   magnetic.map_error_sigma_m = 0.7;
   site.magnetic_maps = {magnetic};
+  site.barometric_offsets = {{"phone", 1'560'000'000'000'000'000, 314.25, 0.2}};
   return site;
 }
 

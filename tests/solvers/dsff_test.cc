@@ -218,8 +218,8 @@ TEST(Dsff, MagneticDensityPrefersWhereTheFieldWasMeasured) {
   for (double x = 0.5; x < 48; x += 0.5) {
     for (double y = 1; y < 36; y += 2) {
       const Eigen::Vector2d at(x, y);
-      site.site.magnetic.push_back({at.cast<float>(), 1, static_cast<float>(30 + x), 1.0F});
-      site.site.magnetic.push_back({at.cast<float>(), 1, static_cast<float>(30.5 + x), 1.1F});
+      site.site.magnetic.push_back({at.cast<float>(), 1, 0, 0, static_cast<float>(30 + x), 1.0F});
+      site.site.magnetic.push_back({at.cast<float>(), 1, 0, 0, static_cast<float>(30.5 + x), 1.1F});
     }
   }
   const DsffCells cells(site.site, {1}, {ReferenceArea::kSurveyed, 1.0, 3.0});

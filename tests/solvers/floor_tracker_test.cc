@@ -82,6 +82,31 @@ TEST(FloorTracker, WithoutRadioTheBarometerTellsChanges) {
   EXPECT_GT(Accuracy(TrackFloors(house.site, evidence, {}).path, stays), 0.97);
 }
 
+// A walk that stays and hears nothing has only its height, which means something where the same
+// phone was surveyed ten minutes before; a history of another model says nothing, and radio wins
+// against a history that is wrong.
+TEST(FloorTracker, TheSurveysBarometerTellsTheFloorOfAWalkThatStays) {
+  const std::vector<int> stays = TwoFloors::Stays({1}, 120, 0);
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    TwoFloors house(seed);
+    const Evidence heard = [&] {
+      Evidence evidence = house.Ride(stays, 250.0);
+      evidence.device = "phone";
+      evidence.begin_unix_ns = evidence.begin_ns;
+      return evidence;
+    }();
+    Evidence silent = heard;
+    silent.readings.clear();
+    const TimeNs before = heard.begin_ns - DurationNs(600);
+    house.site.barometric_offsets = {{"phone", before, 250.3, 0.1}};
+    EXPECT_EQ(Accuracy(TrackFloors(house.site, silent, {}).path, stays), 1.0) << seed;
+    house.site.barometric_offsets = {{"other", before, 250.3, 0.1}};
+    EXPECT_LT(TrackFloors(house.site, silent, {}).ProbabilityAt(1, TwoFloors::At(60)), 0.7) << seed;
+    house.site.barometric_offsets = {{"phone", before, 180, 0.1}};
+    EXPECT_EQ(Accuracy(TrackFloors(house.site, heard, {}).path, stays), 1.0) << seed;
+  }
+}
+
 TEST(FloorTracker, AGivenFloorIsTheAnswer) {
   TwoFloors house(6);
   Evidence evidence = house.Ride(TwoFloors::Stays({0, 1}, 60, 12), 0);

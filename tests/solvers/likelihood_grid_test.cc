@@ -51,6 +51,44 @@ TEST(CollectMapSweeps, CutsALongScanAndSharesItsSilence) {
   for (const MapSweep& sweep : sweeps) EXPECT_DOUBLE_EQ(sweep.weight, 4.0 / 5.0);
 }
 
+// A reading of 3/4 of the variance's inverse, sqrt(0.75) * 1.5 sigmas off.
+TEST(LikelihoodGrid, DividesTheVarianceByAReadingsPrecision) {
+  RadioMap map;
+  map.grid = {{0, 0}, 1.0, 4, 4};
+  map.sigma_min_db = 4;
+  map.hear_weight = 0;
+  map.fields.push_back({0, 0, 0, 0, 0, -60, std::log(4.0F), 0, {}, {}, {}});
+  map.silence_nats.assign(16, 0.0F);
+  MapSweep sweep;
+  sweep.readings.push_back({0, -66.0F, 0, 0.75F});
+  const std::vector<Eigen::Vector2d> positions{{1.3, 1.6}};
+  const auto nats = LikelihoodGrid(map, positions, 0.0).Evaluate(std::vector{sweep});
+  EXPECT_NEAR(nats[0][0], 0.5 * 0.75 * 1.5 * 1.5, 1e-5);
+  // An offset of 3 dB integrated out: a normal of the summed variances.
+  const auto offset = LikelihoodGrid(map, positions, 3.0).Evaluate(std::vector{sweep});
+  const double variance = 16 / 0.75 + 9;
+  EXPECT_NEAR(offset[0][0], 0.5 * 36 / variance + 0.5 * std::log(variance / (16 / 0.75)), 1e-5);
+}
+
+// eta(-75) = 43.49 and at most 84.65 percent (TCPF).
+TEST(CollectMapSweeps, WeakReadingsOfAWalkerAreLessPrecise) {
+  SyntheticSite synthetic(1);
+  Evidence evidence;
+  evidence.transmitters = synthetic.site.transmitters;
+  evidence.readings.push_back({SyntheticSite::At(1), SyntheticSite::At(2), 0, -75.0F});
+  evidence.readings.push_back({SyntheticSite::At(11), SyntheticSite::At(12), 0, -75.0F});
+  evidence.motion = {{SyntheticSite::At(0), SyntheticSite::At(10), MotionState::kWalking},
+                     {SyntheticSite::At(10), SyntheticSite::At(20), MotionState::kStanding}};
+  FingerprintSettings settings;
+  const RadioMap& map = synthetic.site.maps.front();
+  EXPECT_EQ(CollectMapSweeps(synthetic.site, map, evidence, settings)[0].readings[0].precision, 1);
+  settings.refresh_rate = true;
+  const auto sweeps = CollectMapSweeps(synthetic.site, map, evidence, settings);
+  ASSERT_EQ(sweeps.size(), 2U);
+  EXPECT_NEAR(sweeps[0].readings[0].precision, 43.49 / 84.65, 1e-3);
+  EXPECT_EQ(sweeps[1].readings[0].precision, 1);
+}
+
 // One access point heard, one silent, both the same everywhere: the closed form of the model.
 TEST(LikelihoodGrid, IsTheFullNegativeLogLikelihood) {
   RadioMap map;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "data/angle.h"
-#include "solvers/baselines/refresh_rate.h"
+#include "factors/refresh_rate.h"
 #include "solvers/baselines/tcpf/heading_filter.h"
 #include "solvers/baselines/tcpf/step_error.h"
 #include "solvers/baselines/tcpf/trust_chain.h"

@@ -13,132 +13,21 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
-#include <random>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "eval/metrics.h"
+#include "room.h"
 #include "solvers/baselines/mufaf/cell_map.h"
 #include "solvers/baselines/mufaf/map_update.h"
 #include "solvers/baselines/mufaf/tracking.h"
 
-namespace walkgraph {
+namespace walkgraph::mufaf_room {
 namespace {
 
-using Random = std::mt19937_64;
-
-constexpr int kColumns = 7, kRows = 4;
-constexpr Eigen::Index kAnchors = 4;
-constexpr int kSteps = 90;
-constexpr double kStepM = 0.5, kTurnRad = 0.4;
 constexpr int kSurveySamples = 300;  // 5 minutes
 constexpr int kScarceSamples = 50;   // what the update starts from
-
-struct Radio {
-  const char* name;
-  double exponent, shadowing_db, noise_db;
-};
-constexpr Radio kRadios[] = {
-    {"XBee", 2.2, 2, 2}, {"CC2420", 2.2, 2, 2.5}, {"Wi-Fi", 2.0, 3, 4}, {"Bluetooth", 2.5, 3, 7}};
-constexpr std::size_t kRadioTypes = std::size(kRadios);
-
-double Normal(Random* random, double sigma) {
-  return std::normal_distribution<double>(0, sigma)(*random);
-}
-
-// A smooth Gaussian field of a given spread and a correlation length of 1.5 m: a sum of waves.
-class Shadowing {
- public:
-  Shadowing(double sigma_db, Random* random) {
-    constexpr double kLengthM = 1.5;
-    for (Wave& wave : waves_) {
-      wave.vector = {Normal(random, 1 / kLengthM), Normal(random, 1 / kLengthM)};
-      wave.phase = std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(*random);
-      wave.amplitude = sigma_db * std::sqrt(2.0 / kWaves);
-    }
-  }
-  double At(const Eigen::Vector2d& p) const {
-    double sum = 0;
-    for (const Wave& wave : waves_)
-      sum += wave.amplitude * std::cos(wave.vector.dot(p) + wave.phase);
-    return sum;
-  }
-
- private:
-  static constexpr int kWaves = 64;
-  struct Wave {
-    Eigen::Vector2d vector;
-    double phase, amplitude;
-  };
-  Wave waves_[kWaves];
-};
-
-class Room {
- public:
-  explicit Room(std::uint64_t seed) : random_(seed) {
-    for (const Radio& radio : kRadios) {
-      shadowing_.emplace_back();
-      for (Eigen::Index a = 0; a < kAnchors; ++a) {
-        shadowing_.back().emplace_back(radio.shadowing_db, &random_);
-      }
-    }
-  }
-
-  // What the anchors of a radio are expected to hear at a place, dBm.
-  Eigen::VectorXd Mean(std::size_t radio, const Eigen::Vector2d& p) const {
-    Eigen::VectorXd mean(kAnchors);
-    for (Eigen::Index a = 0; a < kAnchors; ++a) {
-      const Eigen::Vector2d anchor((a % 2) * kColumns, (a / 2) * kRows);
-      const double distance_m = std::max(0.3, (p - anchor).norm());
-      mean[a] = -40 - 10 * kRadios[radio].exponent * std::log10(distance_m) +
-                shadowing_[radio][static_cast<std::size_t>(a)].At(p);
-    }
-    return mean;
-  }
-
-  Eigen::VectorXd Hear(std::size_t radio, const Eigen::Vector2d& p, int samples = 1) {
-    Eigen::VectorXd heard = Mean(radio, p);
-    for (double& value : heard)
-      value += Normal(&random_, kRadios[radio].noise_db / std::sqrt(samples));
-    return heard;
-  }
-
-  CellMap Survey(std::size_t radio, int samples) {
-    CellMap map(kAnchors);
-    const double variance = kRadios[radio].noise_db * kRadios[radio].noise_db;
-    for (int cell = 0; cell < kColumns * kRows; ++cell) {
-      const Eigen::Vector2d center(cell % kColumns + 0.5, cell / kColumns + 0.5);
-      map.AddCell(center, Hear(radio, center, samples),
-                  Eigen::VectorXd::Constant(kAnchors, variance), samples);
-    }
-    return map;
-  }
-
-  std::vector<Eigen::Vector2d> Route() {
-    std::uniform_real_distribution<double> x(0, kColumns), y(0, kRows),
-        angle(-std::numbers::pi, std::numbers::pi);
-    const double x0 = x(random_), y0 = y(random_);
-    std::vector<Eigen::Vector2d> route = {{x0, y0}};
-    double heading = angle(random_);
-    while (route.size() < kSteps) {
-      heading += Normal(&random_, kTurnRad);
-      const Eigen::Vector2d next =
-          route.back() + kStepM * Eigen::Vector2d(std::cos(heading), std::sin(heading));
-      if (next.x() < 0 || next.x() > kColumns || next.y() < 0 || next.y() > kRows) {
-        heading = angle(random_);
-        continue;
-      }
-      route.push_back(next);
-    }
-    return route;
-  }
-
- private:
-  Random random_;
-  std::vector<std::vector<Shadowing>> shadowing_;
-};
 
 using Maps = std::vector<CellMap>;
 
@@ -216,7 +105,7 @@ std::vector<double> FixErrors(const Maps& maps, Room* room) {
 void PrintEstimators(int routes) {
   std::printf("\nEstimators by radio, %d routes, mean (95th percentile), cm\n\n| estimator |",
               routes);
-  for (const Radio& radio : kRadios) std::printf(" %s |", radio.name);
+  for (const RoomRadio& radio : kRadios) std::printf(" %s |", radio.name);
   std::printf("\n|---|---|---|---|---|\n");
   Room room(1);
   const Maps maps = SurveyAll(&room, kSurveySamples);
@@ -388,7 +277,7 @@ void PrintUpdates(int routes) {
 }
 
 }  // namespace
-}  // namespace walkgraph
+}  // namespace walkgraph::mufaf_room
 
 int main(int argc, char** argv) {
   const int routes = argc > 1 ? std::atoi(argv[1]) : 400;
@@ -396,7 +285,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "expected the number of routes, at least 2\n");
     return 2;
   }
-  walkgraph::PrintEstimators(routes);
-  walkgraph::PrintFusionByStep(routes);
-  walkgraph::PrintUpdates(routes);
+  walkgraph::mufaf_room::PrintEstimators(routes);
+  walkgraph::mufaf_room::PrintFusionByStep(routes);
+  walkgraph::mufaf_room::PrintUpdates(routes);
 }
