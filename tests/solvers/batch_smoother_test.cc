@@ -53,16 +53,16 @@ Floor Hall(Floor floor) {
 
 TEST(BatchSmootherTest, WallsDrawTheWalkInAndClaimNoPrecision) {
   double free_sum = 0, walled_sum = 0, free_variance = 0, walled_variance = 0;
-  FactorSettings walled_factors;
-  walled_factors.area.kind = AreaKind::kWalkable;
+  FactorSettings open_factors;
+  open_factors.area.kind = AreaKind::kNone;
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     SyntheticSite synthetic(seed);
     synthetic.site.building.floors = {Hall(synthetic.site.building.floors.front())};
     std::vector<Eigen::Vector2d> truth;
     const Evidence evidence = synthetic.Walk(kLoop, 0.1, 3.0, &truth);
-    const Trajectory open = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
-    const Trajectory walled =
-        BatchSmoother(walled_factors, {}).Estimate(synthetic.site, evidence).trajectory;
+    const Trajectory open =
+        BatchSmoother(open_factors, {}).Estimate(synthetic.site, evidence).trajectory;
+    const Trajectory walled = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
     free_sum += MeanError(open, truth);
     walled_sum += MeanError(walled, truth);
     for (const PoseEstimate& pose : open.poses) free_variance += pose.covariance_xy_m2.trace();
@@ -76,9 +76,10 @@ TEST(BatchSmootherTest, AnUnknownAreaChangesNothing) {
   SyntheticSite synthetic(3);
   const Evidence evidence = synthetic.Walk(kLoop, 0.1, 3.0);
   FactorSettings factors;
-  factors.area.kind = AreaKind::kWalkable;  // of a building without an outline
-  const Trajectory known = BatchSmoother(factors, {}).Estimate(synthetic.site, evidence).trajectory;
-  const Trajectory open = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
+  factors.area.kind = AreaKind::kNone;
+  // The default asks for the plan, of a building that has no outline.
+  const Trajectory known = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
+  const Trajectory open = BatchSmoother(factors, {}).Estimate(synthetic.site, evidence).trajectory;
   ASSERT_EQ(known.poses.size(), open.poses.size());
   for (std::size_t i = 0; i < open.poses.size(); ++i) {
     EXPECT_EQ(known.poses[i].position_m, open.poses[i].position_m);
