@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "data/dataset.h"
 #include "eval/evaluate.h"
 #include "eval/files.h"
 #include "eval/fold.h"
+#include "eval/honesty/honesty_figures.h"
 #include "eval/honesty/honesty_output.h"
 #include "eval/honesty/honesty_scores.h"
 #include "eval/honesty/matched_site.h"
@@ -160,6 +162,12 @@ int MeasureHonesty(const HonestyOptions& options) {
   if (options.stopped()) return kExitInterrupted;
   WriteFileWhole(options.out + "/honesty.csv", FormatHonestyCsv(result));
   WriteFileWhole(options.out + "/honesty.json", FormatHonestyJson(result, options.command_line));
+  const std::vector<Figure> figures = HonestyFigures(result);
+  WriteFileWhole(options.out + "/honesty.html", FormatHonestyPage(figures));
+  std::filesystem::create_directories(options.out + "/figures");
+  for (const Figure& figure : figures) {
+    WriteFileWhole(options.out + "/figures/" + figure.name + ".svg", figure.svg);
+  }
   std::fputs(FormatHonesty(result).c_str(), stdout);
   return AnyAnswer(result) ? kExitOk : kExitNoTrajectory;
 }

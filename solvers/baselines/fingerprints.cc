@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "frontends/radio_map/sweeps.h"
 #include "factors/refresh_rate.h"
+#include "frontends/radio_map/sweeps.h"
 
 namespace walkgraph {
 namespace {

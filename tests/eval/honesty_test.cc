@@ -226,7 +226,7 @@ TEST(HonestyVerb, TheSameSeedGivesTheSameNumbersWhateverTheWorkers) {
                       "--seed=" + seed, "--workers=" + workers});
     EXPECT_EQ(result.exit_code, 0) << result.output;
     EXPECT_THAT(result.output, HasSubstr("NEES/dim"));
-    return ReadText(out + "/honesty.csv");
+    return ReadText(out + "/honesty.csv") + ReadText(out + "/honesty.html");
   };
   const std::string first = Run(FreshFolder("a"), "1", "1");
   EXPECT_EQ(first, Run(FreshFolder("b"), "1", "2"));
@@ -243,6 +243,13 @@ TEST(HonestyVerb, ScoresADataSet) {
   const auto json = nlohmann::json::parse(ReadText(out + "/honesty.json"));
   EXPECT_EQ(json.at("methods").at("batch").at("walks"), 4);
   EXPECT_TRUE(json.at("residuals_at_truth").empty());
+  // Every figure stands in the page and in a file of its own, and says what it rests on.
+  const std::string page = ReadText(out + "/honesty.html");
+  for (const char* name : {"calibration", "nees", "nees_by_walk", "residuals"}) {
+    const std::string svg = ReadText(out + "/figures/" + name + ".svg");
+    EXPECT_THAT(svg, HasSubstr("4 walks")) << name;
+    EXPECT_THAT(page, HasSubstr(svg)) << name;
+  }
 }
 
 TEST(HonestyVerb, WantsBothDataSetsOrNeither) {
