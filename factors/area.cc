@@ -1,5 +1,7 @@
 #include "factors/area.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace walkgraph {
@@ -32,6 +34,43 @@ std::optional<AreaField> AreaOfFloor(const Site& site, int floor, const AreaSett
   const AreaRaster raster = RasterOf(site, floor, settings);
   if (!HasInside(raster)) return std::nullopt;
   return AreaField(raster);
+}
+
+std::optional<AreaField> AreaOfConnectors(const Building& building, int from_floor, int to_floor) {
+  std::vector<Eigen::Vector2d> path;
+  double reach_m = 0;
+  for (const Connector& connector : building.connectors) {
+    const auto serves = [&connector](int floor) {
+      return std::any_of(connector.stops.begin(), connector.stops.end(),
+                         [floor](const ConnectorStop& stop) { return stop.floor == floor; });
+    };
+    if (!serves(from_floor) || !serves(to_floor)) continue;
+    reach_m = std::max(reach_m, connector.radius_m);
+    for (std::size_t i = 0; i + 1 < connector.stops.size(); ++i) {
+      const Eigen::Vector2d& from = connector.stops[i].position;
+      const Eigen::Vector2d along = connector.stops[i + 1].position - from;
+      const int pieces = static_cast<int>(along.norm() / kSpacingM) + 1;
+      for (int k = 0; k <= pieces; ++k) path.push_back(from + along * k / pieces);
+    }
+  }
+  if (path.empty()) return std::nullopt;
+  return AreaField(PathRaster(path, reach_m, kSpacingM));
+}
+
+const AreaField* WalkAreas::At(TimeNs time_ns) {
+  if (settings_.kind == AreaKind::kNone) return nullptr;
+  const int nearest = floors_.At(time_ns);
+  const std::pair<int, int> floors =
+      settings_.connectors ? floors_.Between(time_ns) : std::pair(nearest, nearest);
+  auto found = areas_.find(floors);
+  if (found == areas_.end()) {
+    std::optional<AreaField> area =
+        floors.first == floors.second
+            ? AreaOfFloor(site_, floors.first, settings_)
+            : AreaOfConnectors(site_.building, floors.first, floors.second);
+    found = areas_.emplace(floors, std::move(area)).first;
+  }
+  return found->second ? &*found->second : nullptr;
 }
 
 }  // namespace walkgraph

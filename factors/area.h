@@ -1,11 +1,14 @@
 #ifndef WALKGRAPH_FACTORS_AREA_H_
 #define WALKGRAPH_FACTORS_AREA_H_
 
+#include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "factors/area_field.h"
 #include "factors/cost.h"
+#include "factors/floor_path.h"
 #include "factors/settings.h"
 #include "frontends/radio_map/site.h"
 
@@ -36,6 +39,28 @@ struct AreaFactor {
 // The area of a floor that the settings ask for; none where they ask for none, or where neither
 // plan nor survey knows one.
 std::optional<AreaField> AreaOfFloor(const Site& site, int floor, const AreaSettings& settings);
+
+// Where people change between two floors: around the lines through the stops of the building's
+// connectors that serve both. None where none is known to.
+std::optional<AreaField> AreaOfConnectors(const Building& building, int from_floor, int to_floor);
+
+// Where a walk is when: on a floor's area and, if the settings say so, between two floors near what
+// connects them.
+class WalkAreas {
+ public:
+  // Precondition: the three outlive the areas.
+  WalkAreas(const Site& site, const AreaSettings& settings, const FloorPath& floors)
+      : site_(site), settings_(settings), floors_(floors) {}
+
+  // The area at a time, or nullptr where none is known. Each is made once.
+  const AreaField* At(TimeNs time_ns);
+
+ private:
+  const Site& site_;
+  const AreaSettings& settings_;
+  const FloorPath& floors_;
+  std::map<std::pair<int, int>, std::optional<AreaField>> areas_;  // by floors before and after
+};
 
 }  // namespace walkgraph
 

@@ -41,6 +41,15 @@ int FloorPath::At(TimeNs time_ns) const { return Nearest(time_ns).floor; }
 
 bool FloorPath::OnLevel(TimeNs time_ns) const { return Apart(Nearest(time_ns), time_ns) == 0; }
 
+std::pair<int, int> FloorPath::Between(TimeNs time_ns) const {
+  const auto next = std::find_if(stays_.begin(), stays_.end(), [time_ns](const FloorStay& stay) {
+    return stay.end_ns >= time_ns;
+  });
+  if (next == stays_.end()) return {stays_.back().floor, stays_.back().floor};
+  const bool on_the_way = next->begin_ns > time_ns && next != stays_.begin();
+  return {on_the_way ? (next - 1)->floor : next->floor, next->floor};
+}
+
 std::vector<int> FloorPath::Floors() const {
   std::set<int> floors;
   for (const FloorStay& stay : stays_) floors.insert(stay.floor);

@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_FACTORS_FLOOR_PATH_H_
 #define WALKGRAPH_FACTORS_FLOOR_PATH_H_
 
+#include <utility>
 #include <vector>
 
 #include "data/time.h"
@@ -28,6 +29,8 @@ class FloorPath {
   int At(TimeNs time_ns) const;
   // Whether a time belongs to a stay.
   bool OnLevel(TimeNs time_ns) const;
+  // The floors of the stays before and after a time on the way between them; elsewhere At() twice.
+  std::pair<int, int> Between(TimeNs time_ns) const;
   // Each floor once, ascending.
   std::vector<int> Floors() const;
   // The floor of the longest stay.

@@ -143,6 +143,8 @@ struct AreaSettings {
   AreaKind kind = AreaKind::kWalkable;
   double reach_m = 3;  // of a survey path
   double sigma_m = 1;  // how far outside a person gets who spends a second there
+  bool connectors =
+      false;  // hold people between two floors to the stairs and lifts of the building
 };
 
 // What the discrete floor model assumes. Our choice, spread and background looked at on ipin2023.
@@ -303,6 +305,8 @@ void Visit(Visitor& v, AreaSettings& s) {
       "where people walk: none (anywhere), walkable (the plan) or surveyed (near survey paths)");
   v.Field("reach_m", s.reach_m, "a place this near a survey path is in the surveyed area, m");
   v.Field("sigma_m", s.sigma_m, "distance outside of a person who spends a second there, m");
+  v.Field("connectors", s.connectors,
+          "between two floors people are at the stairs and lifts that the building knows");
 }
 template <typename Visitor>
 void Visit(Visitor& v, FloorSettings& s) {

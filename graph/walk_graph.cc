@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -92,10 +90,17 @@ class WalkGraphBuilder {
                 {p0, walk_.heading[i], p1, walk_.heading[i + 1], scale.At(walk_.node_ns[i])}),
             settings_.step.loss, walk_.node_ns[i + 1]);
       } else {
-        Add(MakeGraphFactor(PositionHoldFactor{motion.sigma_along_m}, {p0, p1}),
+        Add(MakeGraphFactor(PositionHoldFactor{HoldSigma(i, motion)}, {p0, p1}),
             settings_.standing.loss, walk_.node_ns[i + 1]);
       }
     }
+  }
+
+  // Who stands on an escalator is carried along: between levels standing says nothing.
+  double HoldSigma(std::size_t i, const NodeMotion& motion) const {
+    const TimeNs from = walk_.node_ns[i], to = walk_.node_ns[i + 1];
+    if (walk_.floors.OnLevel(from + (to - from) / 2)) return motion.sigma_along_m;
+    return std::max(motion.sigma_along_m, settings_.standing.unseen_mps * SecondsBetween(from, to));
   }
 
   // A gyroscope that ran all through the interval, in the phone's resting place on the body.
@@ -169,15 +174,10 @@ class WalkGraphBuilder {
   }
 
   void AddAreas() {
-    if (settings_.area.kind == AreaKind::kNone) return;
-    std::map<int, std::optional<AreaField>> areas;
+    WalkAreas areas(site_, settings_.area, walk_.floors);
     for (std::size_t i = 0; i < nodes(); ++i) {
-      const int floor = walk_.floors.At(walk_.node_ns[i]);
-      const auto found = areas.find(floor);
-      const auto& area = found != areas.end()
-                             ? found->second
-                             : areas[floor] = AreaOfFloor(site_, floor, settings_.area);
-      if (!area) continue;
+      const AreaField* area = areas.At(walk_.node_ns[i]);
+      if (area == nullptr) continue;
       // A node stands for its share of the walk, so that more nodes are no more evidence.
       const double sigma_m =
           settings_.area.sigma_m / std::sqrt(std::max(NodeShareSeconds(i), 1e-3));

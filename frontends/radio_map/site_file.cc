@@ -229,6 +229,15 @@ template <typename A, typename S>
 void ArchiveSite(A& a, S& site) {
   a.Text(site.building.name);
   Each(a, site.building.floors, [](A& b, auto& floor) { ArchiveFloor(b, floor); });
+  Each(a, site.building.connectors, [](A& b, auto& connector) {
+    b.Text(connector.name);
+    b.Scalar(connector.kind);
+    b.Scalar(connector.radius_m);
+    Each(b, connector.stops, [](A& c, auto& stop) {
+      c.Scalar(stop.floor);
+      Vector2(c, stop.position);
+    });
+  });
   ArchiveOrigin(a, site.building.origin);
   Each(a, site.transmitters, [](A& b, auto& transmitter) {
     b.Scalar(transmitter.radio);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "data/angle.h"
 #include "factors/area.h"
@@ -73,22 +72,14 @@ class Emissions {
 
   // Every epoch stands for its share of the walk, as a node of the graph does.
   void AddAreas(const Site& site, const AreaSettings& settings, const FloorPath& floors) {
-    std::map<int, std::vector<float>> cost_of_floor;
-    for (const int floor : floors.Floors()) {
-      const std::optional<AreaField> area = AreaOfFloor(site, floor, settings);
-      if (!area) continue;
-      std::vector<float>& cost = cost_of_floor[floor];
-      const double epoch_s = SecondsBetween(times_[0], times_[1]);
-      for (const Eigen::Vector2d& center : lattice_.centers_m()) {
-        const double outside_m = std::max(0.0, area->At(center.x(), center.y()));
-        const double sigmas = outside_m / settings.sigma_m;
-        cost.push_back(static_cast<float>(0.5 * sigmas * sigmas * epoch_s));
-      }
-    }
+    WalkAreas areas(site, settings, floors);
+    std::map<const AreaField*, std::vector<float>> costs;
     for (std::size_t k = 0; k < times_.size(); ++k) {
-      const auto found = cost_of_floor.find(floors.At(times_[k]));
-      if (found == cost_of_floor.end()) continue;
-      for (std::size_t c = 0; c < lattice_.size(); ++c) nats_[k][c] += found->second[c];
+      const AreaField* area = areas.At(times_[k]);
+      if (area == nullptr) continue;
+      std::vector<float>& cost = costs[area];
+      if (cost.empty()) cost = AreaCost(*area, settings);
+      for (std::size_t c = 0; c < lattice_.size(); ++c) nats_[k][c] += cost[c];
     }
   }
 
@@ -98,6 +89,17 @@ class Emissions {
   const std::vector<float>& at(std::size_t epoch) const { return nats_[epoch]; }
 
  private:
+  std::vector<float> AreaCost(const AreaField& area, const AreaSettings& settings) const {
+    const double epoch_s = SecondsBetween(times_[0], times_[1]);
+    std::vector<float> cost;
+    for (const Eigen::Vector2d& center : lattice_.centers_m()) {
+      const double outside_m = std::max(0.0, area.At(center.x(), center.y()));
+      const double sigmas = outside_m / settings.sigma_m;
+      cost.push_back(static_cast<float>(0.5 * sigmas * sigmas * epoch_s));
+    }
+    return cost;
+  }
+
   // Unknown without an absolute heading, which alone tells the direction of the dead reckoning: the
   // mean over all directions is zero.
   Eigen::Vector2d MovedSince(std::size_t epoch, TimeNs time_ns) const {

@@ -77,6 +77,43 @@ TEST(AreaField, NothingKnownIsNoArea) {
   EXPECT_TRUE(HasInside(WalkableRaster(Room(), 0.5)));
 }
 
+// Two floors of a room; stairs from (2, 2) on floor 0 to (8, 2) on floor 1, a lift to floor 2.
+Site TwoStoreys() {
+  Site site;
+  for (const int number : {0, 1, 2}) {
+    Floor floor = Room();
+    floor.number = number;
+    site.building.floors.push_back(floor);
+  }
+  site.building.connectors = {
+      {"stairs", ConnectorKind::kStairs, {{0, {2, 2}}, {1, {8, 2}}}, 1.5},
+      {"lift", ConnectorKind::kLift, {{0, {15, 5}}, {2, {15, 5}}}, 1.5},
+  };
+  return site;
+}
+
+TEST(WalkAreas, BetweenTwoFloorsIsNearWhatConnectsThem) {
+  const Site site = TwoStoreys();
+  AreaSettings settings;
+  settings.connectors = true;
+  const FloorPath path(std::vector<FloorStay>{{0, 0, 10}, {1, 20, 30}, {2, 40, 50}});
+  WalkAreas areas(site, settings, path);
+  // On a level the room; on the way up the stairs, and not the lift to another floor.
+  ASSERT_NE(areas.At(5), nullptr);
+  EXPECT_LT(areas.At(5)->At(3.0, 8.0), 0);
+  ASSERT_NE(areas.At(15), nullptr);
+  EXPECT_LT(areas.At(15)->At(5.0, 2.0), -1);
+  EXPECT_NEAR(areas.At(15)->At(5.0, 6.5), 3, 0.5);
+  EXPECT_GT(areas.At(15)->At(15.0, 5.0), 4);
+  // Nothing is known to lead from floor 1 to floor 2.
+  EXPECT_EQ(areas.At(35), nullptr);
+  EXPECT_EQ(areas.At(16), areas.At(14));
+  // By default a floor's area holds until the way to the next is half done.
+  const AreaSettings plain;
+  WalkAreas floors_only(site, plain, path);
+  EXPECT_LT(floors_only.At(14)->At(3.0, 8.0), 0);
+}
+
 TEST(AreaFactor, SaysNothingInsideAndItsDistanceInSigmasOutside) {
   const AreaFactor factor{AreaField(WalkableRaster(Room(), 0.5)), 2.0};
   const double inside[] = {3, 5}, pillar[] = {10, 5}, outside[] = {10, 14};

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace walkgraph {
 namespace {
@@ -29,6 +30,18 @@ TEST(FloorPath, BetweenStaysTheNearerOneCounts) {
   EXPECT_FALSE(path.OnLevel(9));
   EXPECT_EQ(path.Floors(), (std::vector<int>{-1, 0}));
   EXPECT_EQ(path.Main(), -1);
+}
+
+TEST(FloorPath, KnowsBetweenWhichFloorsTheWayLeads) {
+  const FloorPath path(std::vector<FloorStay>{{0, 10, 20}, {-1, 30, 90}, {2, 100, 110}});
+  using Floors = std::pair<int, int>;
+  EXPECT_EQ(path.Between(5), Floors(0, 0));
+  EXPECT_EQ(path.Between(20), Floors(0, 0));
+  EXPECT_EQ(path.Between(21), Floors(0, -1));
+  EXPECT_EQ(path.Between(29), Floors(0, -1));
+  EXPECT_EQ(path.Between(30), Floors(-1, -1));
+  EXPECT_EQ(path.Between(95), Floors(-1, 2));
+  EXPECT_EQ(path.Between(1000), Floors(2, 2));
 }
 
 TEST(FloorPath, RefusesWhatIsNoPath) {

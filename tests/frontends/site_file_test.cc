@@ -33,6 +33,7 @@ Site SmallSite() {
   floor.obstacles = {{{5, 5}, {6, 5}, {6, 6}}, {{9, 9}, {9.5, 9}, {9.5, 10}}};
   floor.image = {"plan.png", {-1, -1}, {21, 17}};
   site.building.floors = {floor};
+  site.building.connectors = {{"lift", ConnectorKind::kLift, {{-1, {3, 4}}, {0, {3, 4}}}, 1.5}};
   site.transmitters = {{Radio::kWifi, "ap"}, {Radio::kBeacon, "uuid_1_2_mac"}};
   site.path = {{{1, 2}, -1, 0}, {{2, 2}, -1, 0}};
   site.scans = {
@@ -89,6 +90,9 @@ TEST(SiteFileTest, KeepsEveryMember) {
   const Floor* floor = site.building.FindFloor(-1);
   ASSERT_NE(floor, nullptr);
   EXPECT_EQ(floor->obstacles, before.building.floors[0].obstacles);
+  ASSERT_EQ(site.building.connectors.size(), 1U);
+  EXPECT_EQ(site.building.connectors[0].stops[1].position, Eigen::Vector2d(3, 4));
+  EXPECT_EQ(site.building.connectors[0].radius_m, 1.5);
   EXPECT_EQ(floor->ways.nodes, before.building.floors[0].ways.nodes);
   EXPECT_EQ(floor->ways.links, before.building.floors[0].ways.links);
   EXPECT_EQ(floor->image.max_corner, Eigen::Vector2d(21, 17));
