@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "frontends/radio_map/magnetic_kernel.h"
+#include "frontends/radio_map/map_builder.h"
 #include "frontends/radio_map/shift_posterior.h"
 
 namespace walkgraph {
@@ -37,20 +38,14 @@ std::vector<PlacedField> SamplesOf(const Site& site, int floor) {
   return samples;
 }
 
-// Covers the samples and their kernels, with two control points beyond on every side.
+// Covers the samples and their kernels.
 FieldGrid GridAround(const std::vector<PlacedField>& samples, double reach_m) {
   Eigen::Vector2d low = samples.front().position_m, high = low;
   for (const PlacedField& sample : samples) {
     low = low.cwiseMin(sample.position_m);
     high = high.cwiseMax(sample.position_m);
   }
-  FieldGrid grid;
-  grid.spacing_m = kGridM;
-  grid.origin_m = low.array() - reach_m - 2 * kGridM;
-  const Eigen::Array2d size = (high - low).array() + 2 * reach_m;
-  grid.columns = static_cast<int>(std::ceil(size.x() / kGridM)) + 5;
-  grid.rows = static_cast<int>(std::ceil(size.y() / kGridM)) + 5;
-  return grid;
+  return GridOverBox(low.array() - reach_m, high.array() + reach_m, kGridM);
 }
 
 MagneticMap BuildMap(int floor, const KernelField& field, const KernelModel& model,

@@ -158,6 +158,17 @@ double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 1.0;
 }
 
+FieldGrid GridOverBox(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m,
+                      double spacing_m) {
+  FieldGrid grid;
+  grid.spacing_m = spacing_m;
+  grid.origin_m = low_m.array() - 2.0 * spacing_m;
+  const Eigen::Vector2d size = (high_m - low_m) / spacing_m;
+  grid.columns = static_cast<int>(std::ceil(size.x())) + 5;
+  grid.rows = static_cast<int>(std::ceil(size.y())) + 5;
+  return grid;
+}
+
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
                        const TrainerSettings& settings) {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
@@ -171,14 +182,7 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
     low = low.cwiseMin(point.position_m);
     high = high.cwiseMax(point.position_m);
   }
-  // Two control points beyond the box on every side, so that all of it lies inside the spline.
-  FieldGrid grid;
-  grid.spacing_m = settings.grid_spacing_m;
-  grid.origin_m = low.array() - 2.0 * grid.spacing_m;
-  const Eigen::Vector2d size = (high - low) / grid.spacing_m;
-  grid.columns = static_cast<int>(std::ceil(size.x())) + 5;
-  grid.rows = static_cast<int>(std::ceil(size.y())) + 5;
-  return grid;
+  return GridOverBox(low, high, settings.grid_spacing_m);
 }
 
 RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,

@@ -41,6 +41,10 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
 double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>& samples,
                          const FieldPrior& prior);
 
+// Two control points beyond a box on every side, so that all of it lies inside the spline.
+FieldGrid GridOverBox(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m,
+                      double spacing_m);
+
 // The grid that covers a floor's bounding box and everything in `path`.
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
                        const TrainerSettings& settings);
