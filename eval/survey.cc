@@ -94,9 +94,11 @@ int CalibrateDataset(const LearnOptions& options) {
   std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n";
   for (const RadioMap& map : fold.site.maps) {
     std::array<char, 160> line;
-    std::snprintf(line.data(), line.size(),
-                  "# In the site, floor %d %s: n_eff %.3g, map error %.3g m\n", map.floor,
-                  RadioName(map.radio), map.n_eff, map.map_error_sigma_m);
+    std::snprintf(
+        line.data(), line.size(),
+        "# In the site, floor %d %s: n_eff %.3g, map error %.3g m, and %.3g m more per metre "
+        "from the survey\n",
+        map.floor, RadioName(map.radio), map.n_eff, map.map_error_sigma_m, map.map_error_growth);
     text += line.data();
   }
   for (const MagneticMap& map : fold.site.magnetic_maps) {

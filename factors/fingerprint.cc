@@ -5,29 +5,15 @@
 
 #include "factors/cost.h"
 #include "factors/loss.h"
+#include "factors/map_look.h"
 
 namespace walkgraph {
-namespace {
-
-FieldBasis BasisAt(const RadioMap& map, const double* position, const double* map_error) {
-  return EvaluateBasis(map.grid, {position[0] + map_error[0], position[1] + map_error[1]});
-}
-
-// Writes a row of the Jacobians by position and map error, which are the same.
-void FillPositionRow(double** jacobians, int row, const Eigen::Vector2d& gradient) {
-  for (const int block : {0, 1}) {
-    if (jacobians[block] == nullptr) continue;
-    jacobians[block][2 * row] = gradient.x();
-    jacobians[block][2 * row + 1] = gradient.y();
-  }
-}
-
-}  // namespace
-
-FingerprintFactor::FingerprintFactor(const RadioMap* map, MapSweep sweep, const LossSettings& loss)
+FingerprintFactor::FingerprintFactor(const RadioMap* map, MapSweep sweep, const LossSettings& loss,
+                                     double growth_per_sigma)
     : map_(map),
       sweep_(std::move(sweep)),
       loss_(loss),
+      growth_per_sigma_(growth_per_sigma),
       log_sigma_min_(std::log(map->sigma_min_db)) {
   set_num_residuals(readings() + 1);
   *mutable_parameter_block_sizes() = {2, 2, 1};
@@ -36,7 +22,8 @@ FingerprintFactor::FingerprintFactor(const RadioMap* map, MapSweep sweep, const 
 bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
                                  double** jacobians) const {
   const bool gradients = jacobians != nullptr;
-  const FieldBasis basis = BasisAt(*map_, blocks[0], blocks[1]);
+  const MapLook look(*map_, growth_per_sigma_, blocks[0], blocks[1]);
+  const FieldBasis& basis = look.basis();
   const double root_weight = std::sqrt(sweep_.weight);
   double spread_nats = 0;
   Eigen::Vector2d spread_gradient = Eigen::Vector2d::Zero();
@@ -53,8 +40,8 @@ bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
     if (jacobians != nullptr) {
       const double slope = root_weight * robust.slope;
       spread_gradient += log_sigma.gradient;
-      FillPositionRow(jacobians, row,
-                      -slope * (information * mean.gradient + whitened * log_sigma.gradient));
+      look.FillRow(jacobians, row,
+                   -slope * (information * mean.gradient + whitened * log_sigma.gradient));
       if (jacobians[2] != nullptr) jacobians[2][row] = slope * information;
     }
     ++row;
@@ -62,7 +49,7 @@ bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
   const CostRow spread(spread_nats, sweep_.weight);
   residual[row] = spread.value;
   if (jacobians != nullptr) {
-    FillPositionRow(jacobians, row, spread.slope * spread_gradient);
+    look.FillRow(jacobians, row, spread.slope * spread_gradient);
     if (jacobians[2] != nullptr) jacobians[2][row] = 0;
   }
   return true;
@@ -78,7 +65,8 @@ double FingerprintFactor::LogNormaliser() const {
 bool HearingFactor::Evaluate(const double* const* blocks, double* residual,
                              double** jacobians) const {
   const bool gradients = jacobians != nullptr;
-  const FieldBasis basis = BasisAt(*map_, blocks[0], blocks[1]);
+  const MapLook look(*map_, growth_per_sigma_, blocks[0], blocks[1]);
+  const FieldBasis& basis = look.basis();
   auto [nats, gradient] = map_->Silence(basis);
   for (const MapSweep::Reading& reading : sweep_.readings) {
     const ScalarValue logit = map_->EvaluateLogitHear(reading.field, basis, gradients);
@@ -87,7 +75,7 @@ bool HearingFactor::Evaluate(const double* const* blocks, double* residual,
   }
   const CostRow row(nats, weight());
   residual[0] = row.value;
-  if (jacobians != nullptr) FillPositionRow(jacobians, 0, row.slope * gradient);
+  if (jacobians != nullptr) look.FillRow(jacobians, 0, row.slope * gradient);
   return true;
 }
 

@@ -16,7 +16,7 @@
 namespace walkgraph {
 
 // The likelihood of a scan has two halves, one factor type each. Both look the map up at
-//   u = x(t) + e,   x position, e map error,
+//   u = x(t) + r(x) e,   x position, e map error, r its growth away from the survey (see MapLook),
 // and both are weighted by w = min(1, N_eff / N): the N readings of a scan are not independent.
 // A term that is no square becomes a row of its own (see factors/cost_row.h), whose offset is taken
 // out of the posterior again (see CostConstant).
@@ -31,8 +31,9 @@ class FingerprintFactor : public ceres::CostFunction {
  public:
   static constexpr std::string_view kName = "fingerprint";
 
-  // `map` must outlive the factor.
-  FingerprintFactor(const RadioMap* map, MapSweep sweep, const LossSettings& loss);
+  // `map` must outlive the factor; `growth_per_sigma` (1/m) as in MapLook.
+  FingerprintFactor(const RadioMap* map, MapSweep sweep, const LossSettings& loss,
+                    double growth_per_sigma);
 
   bool Evaluate(const double* const* blocks, double* residual, double** jacobians) const override;
 
@@ -47,6 +48,7 @@ class FingerprintFactor : public ceres::CostFunction {
   const RadioMap* map_;
   MapSweep sweep_;
   LossSettings loss_;
+  double growth_per_sigma_;
   double log_sigma_min_;
 };
 
@@ -61,8 +63,9 @@ class HearingFactor : public ceres::SizedCostFunction<1, 2, 2> {
  public:
   static constexpr std::string_view kName = "hearing";
 
-  // `map` must outlive the factor. `sweep` is the whole scan.
-  HearingFactor(const RadioMap* map, MapSweep sweep) : map_(map), sweep_(std::move(sweep)) {}
+  // `map` must outlive the factor; `sweep` is the whole scan; `growth_per_sigma` as above.
+  HearingFactor(const RadioMap* map, MapSweep sweep, double growth_per_sigma)
+      : map_(map), sweep_(std::move(sweep)), growth_per_sigma_(growth_per_sigma) {}
 
   bool Evaluate(const double* const* blocks, double* residual, double** jacobians) const override;
 
@@ -72,6 +75,7 @@ class HearingFactor : public ceres::SizedCostFunction<1, 2, 2> {
  private:
   const RadioMap* map_;
   MapSweep sweep_;
+  double growth_per_sigma_;
 };
 
 }  // namespace walkgraph

@@ -98,6 +98,7 @@ struct MapErrorSettings {
   double sigma_m = 0;  // stationary, per axis; 0 takes the site's calibrated value
   double correlation_s = 20;
   double knot_s = 5;
+  bool grows = false;  // away from the survey, as calibrated
 };
 
 struct RssiOffsetSettings {
@@ -271,6 +272,9 @@ void Visit(Visitor& v, MapErrorSettings& s) {
           "stationary error of the radio map per axis, m; 0 takes the site's calibrated value");
   v.Field("correlation_s", s.correlation_s, "time over which the error persists, s");
   v.Field("knot_s", s.knot_s, "knot spacing, s");
+  v.Field("grows", s.grows,
+          "the error grows with the distance from the survey at the site's calibrated rate; false: "
+          "it is the same everywhere");
 }
 template <typename Visitor>
 void Visit(Visitor& v, RssiOffsetSettings& s) {

@@ -47,8 +47,9 @@ void AddPositionAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int
   }
 }
 
-GraphFactor MakeFingerprint(const RadioMap& map, MapSweep part, const LossSettings& loss) {
-  auto cost = std::make_unique<FingerprintFactor>(&map, std::move(part), loss);
+GraphFactor MakeFingerprint(const RadioMap& map, MapSweep part, const LossSettings& loss,
+                            double growth_per_sigma) {
+  auto cost = std::make_unique<FingerprintFactor>(&map, std::move(part), loss, growth_per_sigma);
   GraphFactor factor;
   factor.type = FingerprintFactor::kName;
   factor.log_normaliser = cost->LogNormaliser() - cost->CostConstant();
@@ -59,8 +60,8 @@ GraphFactor MakeFingerprint(const RadioMap& map, MapSweep part, const LossSettin
   return factor;
 }
 
-GraphFactor MakeHearing(const RadioMap& map, MapSweep scan) {
-  auto cost = std::make_unique<HearingFactor>(&map, std::move(scan));
+GraphFactor MakeHearing(const RadioMap& map, MapSweep scan, double growth_per_sigma) {
+  auto cost = std::make_unique<HearingFactor>(&map, std::move(scan), growth_per_sigma);
   GraphFactor factor;
   factor.type = HearingFactor::kName;
   factor.log_normaliser = -cost->CostConstant();
@@ -101,9 +102,10 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
       HeardRadios(site, evidence, settings.fingerprint, walk->floors);
   if (radios.empty()) return;
   const TimeNs begin_ns = walk->node_ns.front();
-  const KnotBlocks map_error = AddMapErrorState(BlockKind::kMapError, settings.map_error,
-                                                MapErrorSigma(radios, settings.map_error), begin_ns,
-                                                walk->node_ns.back(), &walk->graph);
+  const double error_sigma_m = MapErrorSigma(radios, settings.map_error);
+  const KnotBlocks map_error =
+      AddMapErrorState(BlockKind::kMapError, settings.map_error, error_sigma_m, begin_ns,
+                       walk->node_ns.back(), &walk->graph);
   std::map<Radio, int> offsets;  // one on all floors
   for (const HeardRadio& radio : radios) {
     const Radio kind = radio.map->radio;
@@ -112,14 +114,17 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
           AddRssiOffsetState(settings.rssi_offset, static_cast<int>(kind), begin_ns, &walk->graph);
     }
     const int offset = offsets[kind];
+    const double growth_per_sigma = settings.map_error.grows && error_sigma_m > 0
+                                        ? radio.map->map_error_growth / error_sigma_m
+                                        : 0.0;
     for (const MapSweep& part : CollectMapSweeps(site, *radio.map, evidence, settings.fingerprint,
                                                  walk->floors, kSamePlaceS)) {
-      AddPositionAtTime(MakeFingerprint(*radio.map, part, settings.fingerprint.loss),
-                        part.mean_heard_ns, {map_error.At(part.mean_heard_ns), offset},
-                        part.printed_ns, walk);
+      AddPositionAtTime(
+          MakeFingerprint(*radio.map, part, settings.fingerprint.loss, growth_per_sigma),
+          part.mean_heard_ns, {map_error.At(part.mean_heard_ns), offset}, part.printed_ns, walk);
     }
     for (const MapSweep& scan : radio.scans) {
-      AddPositionAtTime(MakeHearing(*radio.map, scan), scan.mean_heard_ns,
+      AddPositionAtTime(MakeHearing(*radio.map, scan, growth_per_sigma), scan.mean_heard_ns,
                         {map_error.At(scan.mean_heard_ns)}, scan.printed_ns, walk);
     }
   }

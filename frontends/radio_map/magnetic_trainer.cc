@@ -73,18 +73,18 @@ MagneticMap BuildMap(int floor, const KernelField& field, const KernelModel& mod
 }
 
 // Five seconds of a walk: -log p of its samples by shift, each sample counted in full.
-using Part = std::vector<double>;
+using Part = Eigen::ArrayXd;
 using Piece = std::vector<Part>;  // up to 20 s
 
 Part CostOverShifts(const MagneticMap& map, const PlacedField* begin, const PlacedField* end) {
-  Part nats(kShifts.size(), 0.0);
+  Part nats = Part::Zero(static_cast<Eigen::Index>(kShifts.size()));
   for (const PlacedField* sample = begin; sample != end; ++sample) {
-    for (std::size_t i = 0; i < nats.size(); ++i) {
+    for (std::size_t i = 0; i < kShifts.size(); ++i) {
       const FieldBasis basis = EvaluateBasis(map.grid, sample->position_m + kShifts.At(i));
       for (int c = 0; c < 2; ++c) {
         const double log_sigma = map.LogSigma(c, basis).value;
         const double z = (sample->field_ut[c] - map.Mean(c, basis).value) * std::exp(-log_sigma);
-        nats[i] += 0.5 * z * z + log_sigma;
+        nats[static_cast<Eigen::Index>(i)] += 0.5 * z * z + log_sigma;
       }
     }
   }
@@ -111,17 +111,10 @@ void AppendPieces(const MagneticMap& map, const std::vector<PlacedField>& sample
   }
 }
 
-double PieceScore(const Piece& piece, double weight, const SharedErrorKernel& kernel) {
-  std::vector<double> sum(kShifts.size(), 0.0), alone(kShifts.size());
-  double alone_score = 0;
-  for (const Part& part : piece) {
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      alone[i] = weight * part[i];
-      sum[i] += alone[i];
-    }
-    alone_score += kernel.LogScoreAtTruth(alone);
-  }
-  return kernel.LogScoreAtTruth(sum) + alone_score / static_cast<double>(piece.size());
+PiecePosterior Weighted(const Piece& piece, double weight) {
+  std::vector<Part> parts;
+  for (const Part& part : piece) parts.push_back(weight * part);
+  return PiecePosterior(parts);
 }
 
 std::vector<Piece> HeldOutPieces(const std::vector<PlacedField>& samples,
@@ -143,13 +136,16 @@ std::vector<Piece> HeldOutPieces(const std::vector<PlacedField>& samples,
 // The correlation time and the map error with the best score: neither too bold nor too timid wins.
 void Calibrate(const std::vector<Piece>& pieces, MagneticMap* map) {
   double best_score = -std::numeric_limits<double>::infinity();
-  for (const double error_m : kErrorsM) {
-    const SharedErrorKernel kernel(kShifts, error_m);
-    for (const double correlation_s : kCorrelationsS) {
+  SharedErrorKernels kernels(kShifts);
+  for (const double correlation_s : kCorrelationsS) {
+    std::vector<PiecePosterior> posteriors;
+    for (const Piece& piece : pieces) {
+      posteriors.push_back(Weighted(piece, kMagneticSampleS / correlation_s));
+    }
+    for (const double error_m : kErrorsM) {
+      const SharedErrorKernel& kernel = kernels.At(error_m);
       double score = 0;
-      for (const Piece& piece : pieces) {
-        score += PieceScore(piece, kMagneticSampleS / correlation_s, kernel);
-      }
+      for (const PiecePosterior& posterior : posteriors) score += posterior.Score(kernel);
       if (score <= best_score) continue;
       best_score = score;
       map->correlation_s = correlation_s;

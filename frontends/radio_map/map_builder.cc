@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "frontends/radio_map/hearing.h"
+#include "frontends/radio_map/survey_scans.h"
 
 namespace walkgraph {
 namespace {
@@ -98,11 +99,7 @@ void FillSignal(const FieldGrid& grid, const FieldProcess& process, double sigma
 
 std::vector<Eigen::Vector2d> SweepPlaces(const ScanList& scans) {
   std::vector<Eigen::Vector2d> places;
-  for (const SurveyScan* scan : scans) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const SurveyReading& reading : scan->readings) sum += reading.position_m.cast<double>();
-    places.push_back(sum / static_cast<double>(scan->readings.size()));
-  }
+  for (const SurveyScan* scan : scans) places.push_back(MeanPosition(*scan));
   return places;
 }
 
@@ -115,6 +112,30 @@ std::map<std::uint32_t, std::vector<std::size_t>> HeardIn(const ScanList& scans)
     }
   }
   return heard;
+}
+
+// Distance of every control point to the nearest scan.
+std::vector<float> SurveyDistanceField(const FieldGrid& grid, const ScanList& scans) {
+  // Places closer than a fraction of the grid's spacing are one.
+  std::map<std::pair<long, long>, Eigen::Vector2f> places;
+  const float cell_m = 0.25F * static_cast<float>(grid.spacing_m);
+  for (const Eigen::Vector2d& place : SweepPlaces(scans)) {
+    const Eigen::Vector2f at = place.cast<float>();
+    places.try_emplace({std::lround(at.x() / cell_m), std::lround(at.y() / cell_m)}, at);
+  }
+  std::vector<float> distances;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const Eigen::Vector2f control =
+          (grid.origin_m + grid.spacing_m * Eigen::Vector2d(column, row)).cast<float>();
+      float nearest = std::numeric_limits<float>::infinity();
+      for (const auto& [cell, place] : places) {
+        nearest = std::min(nearest, (place - control).squaredNorm());
+      }
+      distances.push_back(std::sqrt(nearest));
+    }
+  }
+  return distances;
 }
 
 }  // namespace
@@ -211,6 +232,7 @@ RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList&
   }
   map.sigma_min_db = std::exp(static_cast<double>(min_log_sigma));
   map.silence_nats = SilenceField(grid, map.fields);
+  map.survey_distance_m = SurveyDistanceField(grid, scans);
   return map;
 }
 

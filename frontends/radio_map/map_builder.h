@@ -49,7 +49,7 @@ FieldGrid GridOverBox(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
                        const TrainerSettings& settings);
 
-// The map without its calibration (n_eff and map_error_sigma_m stay 0).
+// The map without its calibration (n_eff and the map error stay 0).
 RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                   const FieldModel& model, const TrainerSettings& settings,
                   const MapDetail& detail = {});

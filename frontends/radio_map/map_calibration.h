@@ -16,9 +16,10 @@ namespace walkgraph {
 // errors are shared.)
 
 struct MapCalibration {
-  double n_eff = 3;              // independent readings per scan
-  double hear_weight = 0.5;      // see RadioMap
-  double map_error_sigma_m = 2;  // of the error that the scans of some 20 s share, per axis
+  double n_eff = 3;               // independent readings per scan
+  double hear_weight = 0.5;       // see RadioMap
+  double map_error_sigma_m = 2;   // of the error that the scans of some 20 s share, per axis
+  double map_error_growth = 0.5;  // metres of it per metre from the survey
 };
 
 // Total score of the default field model on held-out walks, at the best of a coarse grid of
@@ -33,8 +34,8 @@ std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& gr
 FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                             const TrainerSettings& settings);
 
-// n_eff, hear_weight and map error with the best total score over three folds of walks. The
-// defaults where there are fewer than six walks.
+// n_eff, hear_weight, map error and its growth with the best total score over three folds of walks.
+// The defaults where there are fewer than six walks.
 MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
                             const FieldModel& model, const TrainerSettings& settings);
 

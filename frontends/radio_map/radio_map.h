@@ -74,9 +74,13 @@ class RadioMap {
   // together (a channel not scanned misses all of its transmitters), more so than signal strengths.
   double hear_weight = 1;
   double map_error_sigma_m = 0;
+  // Metres that this error grows per metre from the survey (see MapErrorSigma).
+  double map_error_growth = 0;
   std::vector<TransmitterField> fields;  // by transmitter
   // Sum over all transmitters of -log(1 - p_hear): a sweep that hears nothing costs this much.
   std::vector<float> silence_nats;  // on the whole grid, row-major
+  // To the nearest scan of the survey, on the whole grid, row-major; empty: everywhere 0.
+  std::vector<float> survey_distance_m;
 
   // Index into `fields`, or -1 where the floor never heard the transmitter.
   int FindField(std::uint32_t transmitter) const;
@@ -91,6 +95,11 @@ class RadioMap {
   // Value and gradient (nats, nats/m) of silence_nats.
   ScalarValue Silence(const FieldBasis& basis) const {
     return EvaluateField(grid, silence_nats, basis);
+  }
+  // Value and gradient (m, 1) of survey_distance_m.
+  ScalarValue SurveyDistance(const FieldBasis& basis) const {
+    return survey_distance_m.empty() ? ScalarValue()
+                                     : EvaluateField(grid, survey_distance_m, basis);
   }
 };
 

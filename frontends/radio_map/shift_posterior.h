@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace walkgraph {
@@ -38,13 +39,38 @@ class SharedErrorKernel {
  public:
   SharedErrorKernel(const ShiftGrid& grid, double sigma_m);
 
-  // log of the density (1/m^2) that the posterior proportional to exp(-nats), nats by shift,
-  // blurred by the error, gives to shift zero. A small chance of being lost bounds it from below.
-  double LogScoreAtTruth(const std::vector<double>& nats) const;
+  // log of the density (1/m^2) that a posterior (probability by shift), blurred by the error, gives
+  // to shift zero. A small chance of being lost bounds it from below.
+  double LogScoreAtTruth(const Eigen::ArrayXd& posterior) const;
 
  private:
   ShiftGrid grid_;
-  std::vector<double> weight_;
+  Eigen::ArrayXd weight_;
+};
+
+// Kernels of any sigma, each made once.
+class SharedErrorKernels {
+ public:
+  explicit SharedErrorKernels(const ShiftGrid& grid) : grid_(grid) {}
+  const SharedErrorKernel& At(double sigma_m);
+
+ private:
+  ShiftGrid grid_;
+  std::map<double, SharedErrorKernel> by_sigma_m_;
+};
+
+// A piece of a walk as its parts see it, all of them together and each alone.
+class PiecePosterior {
+ public:
+  // -log p of each part by shift, nats; at least one part.
+  explicit PiecePosterior(const std::vector<Eigen::ArrayXd>& part_nats);
+
+  // Once for the whole piece and once for the average part.
+  double Score(const SharedErrorKernel& kernel) const;
+
+ private:
+  Eigen::ArrayXd whole_;  // probability by shift
+  std::vector<Eigen::ArrayXd> parts_;
 };
 
 }  // namespace walkgraph

@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 5;
+constexpr std::uint32_t kVersion = 6;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -181,6 +181,7 @@ void ArchiveMap(A& a, M& map) {
   a.Scalar(map.n_eff);
   a.Scalar(map.hear_weight);
   a.Scalar(map.map_error_sigma_m);
+  a.Scalar(map.map_error_growth);
   Each(a, map.fields, [](A& b, auto& field) {
     b.Scalar(field.transmitter);
     b.Scalar(field.column);
@@ -195,6 +196,7 @@ void ArchiveMap(A& a, M& map) {
     b.Scalars(field.logit_hear);
   });
   a.Scalars(map.silence_nats);
+  a.Scalars(map.survey_distance_m);
 }
 
 template <typename A, typename M>
@@ -291,6 +293,7 @@ bool IsConsistent(const Site& site) {
     const FieldGrid& grid = map.grid;
     const std::uint64_t points = PointsOf(grid);
     if (points == 0 || map.silence_nats.size() != points) return false;
+    if (!map.survey_distance_m.empty() && map.survey_distance_m.size() != points) return false;
     for (const RadioMap::TransmitterField& f : map.fields) {
       if (f.column < 0 || f.row < 0 || f.columns < 0 || f.rows < 0) return false;
       if (f.columns > grid.columns - f.column || f.rows > grid.rows - f.row) return false;

@@ -55,6 +55,12 @@ std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::si
   return scans;
 }
 
+Eigen::Vector2d MeanPosition(const SurveyScan& scan) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const SurveyReading& reading : scan.readings) sum += reading.position_m.cast<double>();
+  return sum / static_cast<double>(scan.readings.size());
+}
+
 std::uint32_t NextWalk(const Site& site) {
   std::uint32_t next = 0;
   for (const SurveyScan& scan : site.scans) next = std::max(next, scan.walk + 1);

@@ -27,6 +27,9 @@ std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::si
                                    Radio radio, const std::vector<std::int32_t>& site_index,
                                    double lag_s, const LagRange& placed);
 
+// Mean of the places of a scan's readings.
+Eigen::Vector2d MeanPosition(const SurveyScan& scan);
+
 // The first number that no survey walk of the site has.
 std::uint32_t NextWalk(const Site& site);
 

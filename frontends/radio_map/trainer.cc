@@ -74,6 +74,7 @@ void TrainMaps(const TrainerSettings& settings, Site* site) {
       map.n_eff = calibration.n_eff;
       map.hear_weight = calibration.hear_weight;
       map.map_error_sigma_m = calibration.map_error_sigma_m;
+      map.map_error_growth = calibration.map_error_growth;
       site->maps.push_back(std::move(map));
     }
   }
@@ -115,6 +116,7 @@ void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* 
     map.n_eff = before.n_eff;
     map.hear_weight = before.hear_weight;
     map.map_error_sigma_m = before.map_error_sigma_m;
+    map.map_error_growth = before.map_error_growth;
     site->maps.push_back(std::move(map));
   }
 }

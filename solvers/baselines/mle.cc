@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "factors/dead_reckoning.h"
+#include "factors/map_look.h"
 #include "factors/map_sweeps.h"
 #include "solvers/baselines/discrete.h"
 #include "solvers/baselines/likelihood_grid.h"
@@ -49,12 +50,14 @@ std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evide
 }
 
 // Variance per axis that all scans at a place share and no likelihood knows.
-double MapErrorVariance(const Site& site, int floor, const MapErrorSettings& settings) {
+double MapErrorVariance(const RadioMap* map, const MapErrorSettings& settings,
+                        const Eigen::Vector2d& position) {
   if (settings.mode == StateMode::kAbsent) return 0;
-  const RadioMap* map = site.FindMap(floor, Radio::kWifi);
-  const double sigma =
-      settings.sigma_m > 0 || map == nullptr ? settings.sigma_m : map->map_error_sigma_m;
-  return sigma * sigma;
+  if (map == nullptr) return settings.sigma_m * settings.sigma_m;
+  const double sigma = settings.sigma_m > 0 ? settings.sigma_m : map->map_error_sigma_m;
+  const double growth = settings.grows && sigma > 0 ? map->map_error_growth / sigma : 0.0;
+  const double error = sigma * ErrorRatioAt(*map, growth, position).value;
+  return error * error;
 }
 
 }  // namespace
@@ -70,8 +73,8 @@ EstimateResult MleEstimator::Estimate(const Site& site, const Evidence& evidence
   if (epochs.empty()) {
     return UnlocatedResult(site, evidence, path, "no reading that the radio map knows");
   }
-  const double added_variance = MapErrorVariance(site, floor, factors_.map_error) +
-                                points.spacing_m() * points.spacing_m() / 12;
+  const RadioMap* map = site.FindMap(floor, Radio::kWifi);
+  const double quantisation = points.spacing_m() * points.spacing_m() / 12;
   const std::vector<double> uniform(points.size(), 1.0);
   std::vector<PositionFix> fixes;
   for (const Epoch& epoch : epochs) {
@@ -82,6 +85,8 @@ EstimateResult MleEstimator::Estimate(const Site& site, const Evidence& evidence
     fix.time_ns = epoch.time_ns;
     fix.floor = floor;
     fix.position_m = points.positions_m()[static_cast<std::size_t>(ArgMax(log_likelihood))];
+    const double added_variance =
+        quantisation + MapErrorVariance(map, factors_.map_error, fix.position_m);
     fix.covariance_m2 = SecondMoment(points.positions_m(),
                                      UpdateDistribution(uniform, log_likelihood), fix.position_m) +
                         added_variance * Eigen::Matrix2d::Identity();

@@ -18,6 +18,9 @@ inline RadioMap MakeRandomMap(Random* random) {
   map.grid = {{-3, -3}, 3.0, kCount, kCount};
   map.sigma_min_db = 3;
   map.silence_nats.assign(kCount * kCount, 0.0F);
+  for (int i = 0; i < kCount * kCount; ++i) {
+    map.survey_distance_m.push_back(static_cast<float>(std::abs(Normal(random, 5))));
+  }
   for (std::uint32_t f = 0; f < kFields; ++f) {
     RadioMap::TransmitterField field{f, 0, 0, kCount, kCount, -95, 2.0, -4, {}, {}, {}};
     for (int i = 0; i < kCount * kCount; ++i) {
@@ -60,6 +63,7 @@ inline RadioMap MoveMap(const RadioMap& map, const Motion& motion) {
   RadioMap moved = map;
   moved.grid = MoveGrid(map.grid, motion);
   moved.silence_nats = MoveValues(map.silence_nats, n, motion);
+  moved.survey_distance_m = MoveValues(map.survey_distance_m, n, motion);
   for (auto& field : moved.fields) {
     field.mean_dbm = MoveValues(field.mean_dbm, n, motion);
     field.log_sigma = MoveValues(field.log_sigma, n, motion);
@@ -85,13 +89,18 @@ struct RadioTwin {
   const RadioMap* map;
   MapSweep sweep;
   bool hearing;
+  double growth;
 
   template <typename T>
   bool operator()(T const* const* blocks, T* residual) const {
     using std::exp;
     using std::log;
     using std::sqrt;
-    const T x = blocks[0][0] + blocks[1][0], y = blocks[0][1] + blocks[1][1];
+    const Eigen::Vector2d stood(Plain(blocks[0][0]), Plain(blocks[0][1]));
+    const ScalarValue away = map->SurveyDistance(EvaluateBasis(map->grid, stood));
+    const T distance = Lift(away.value, away.gradient, stood, blocks[0][0], blocks[0][1]);
+    const T ratio = sqrt(1.0 + growth * growth * distance * distance);
+    const T x = blocks[0][0] + ratio * blocks[1][0], y = blocks[0][1] + ratio * blocks[1][1];
     const Eigen::Vector2d at(Plain(x), Plain(y));
     const FieldBasis basis = EvaluateBasis(map->grid, at);
     T spread(0.0), heard(0.0);
@@ -123,6 +132,7 @@ struct RadioScenario {
     if (kHearing) return {BlockKind::kPosition, BlockKind::kMapError};
     return {BlockKind::kPosition, BlockKind::kMapError, BlockKind::kRssiOffset};
   }
+  static constexpr double kGrowth = 0.3;  // 1/m
   explicit RadioScenario(Random* random) : map(std::make_shared<RadioMap>(MakeRandomMap(random))) {
     sweep.weight = 0.3;
     for (int f = 0; f < 4; ++f) {
@@ -132,14 +142,14 @@ struct RadioScenario {
   }
   std::unique_ptr<ceres::CostFunction> Cost() const {
     if constexpr (kHearing) {
-      return std::make_unique<HearingFactor>(map.get(), sweep);
+      return std::make_unique<HearingFactor>(map.get(), sweep, kGrowth);
     } else {
-      return std::make_unique<FingerprintFactor>(map.get(), sweep, LossSettings{});
+      return std::make_unique<FingerprintFactor>(map.get(), sweep, LossSettings{}, kGrowth);
     }
   }
   std::unique_ptr<ceres::CostFunction> Twin() const {
     auto twin = std::make_unique<ceres::DynamicAutoDiffCostFunction<RadioTwin>>(
-        new RadioTwin{map.get(), sweep, kHearing});
+        new RadioTwin{map.get(), sweep, kHearing, kGrowth});
     for (const BlockKind kind : kinds()) twin->AddParameterBlock(BlockSize(kind));
     twin->SetNumResiduals(kHearing ? 1 : static_cast<int>(sweep.readings.size()) + 1);
     return twin;

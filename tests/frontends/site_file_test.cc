@@ -47,8 +47,10 @@ Site SmallSite() {
   map.n_eff = 3;
   map.hear_weight = 0.4;
   map.map_error_sigma_m = 1.4;
+  map.map_error_growth = 0.35;
   map.fields = {{1, 1, 2, 2, 1, -90.0F, 2.5F, -6.0F, {-60, -61}, {1.5F, 1.6F}, {0.5F, -0.5F}}};
   map.silence_nats.assign(20, 1.25F);
+  map.survey_distance_m.assign(20, 7.5F);
   site.maps = {map};
   MagneticMap magnetic;
   magnetic.floor = -1;
@@ -110,6 +112,8 @@ TEST(SiteFileTest, KeepsEveryMember) {
   ASSERT_NE(map, nullptr);
   EXPECT_EQ(map->hear_weight, 0.4);
   EXPECT_EQ(map->map_error_sigma_m, 1.4);
+  EXPECT_EQ(map->map_error_growth, 0.35);
+  EXPECT_EQ(map->survey_distance_m, before.maps[0].survey_distance_m);
   EXPECT_EQ(map->fields[0].logit_hear, before.maps[0].fields[0].logit_hear);
 }
 
@@ -149,7 +153,7 @@ TEST(SiteFileTest, NoticesEveryFlippedByte) {
 TEST(SiteFileTest, NamesTheVersionThatItCannotRead) {
   std::string bytes = SerializeSite(SmallSite());
   bytes[std::string("WALKGRAPHSITE\n").size()] = 99;
-  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 5")));
+  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 6")));
 }
 
 TEST(SiteFileTest, TellsWhatIsNoSite) {
@@ -167,6 +171,9 @@ TEST(SiteFileTest, RefusesInconsistentFields) {
   EXPECT_THAT(Complaint(SerializeSite(site)), HasSubstr("sizes do not fit"));
   site = SmallSite();
   site.maps[0].silence_nats.pop_back();
+  EXPECT_THAT(Complaint(SerializeSite(site)), HasSubstr("sizes do not fit"));
+  site = SmallSite();
+  site.maps[0].survey_distance_m.pop_back();
   EXPECT_THAT(Complaint(SerializeSite(site)), HasSubstr("sizes do not fit"));
   site = SmallSite();
   site.maps[0].fields[0].transmitter = 2;

@@ -1,0 +1,116 @@
+#include "frontends/radio_map/held_out_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "frontends/radio_map/survey_scans.h"
+
+namespace walkgraph {
+namespace {
+
+constexpr std::size_t kMinWalks = 6;
+constexpr std::size_t kSearchSamples = 120;
+constexpr double kPieceSeconds = 20;
+
+// What the best common offset of a scan's readings takes off its cost: the phone held against the
+// body hears everything weaker. Normal prior, integrated out.
+double OffsetGain(double slope, double information, const TrainerSettings& settings) {
+  const double variance = settings.rssi_offset_sigma_db * settings.rssi_offset_sigma_db;
+  const double spread = 1.0 + variance * information;
+  return 0.5 * variance * slope * slope / spread - 0.5 * std::log(spread);
+}
+
+ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
+                        const TrainerSettings& settings) {
+  // The spread of a scan's readings along the walk matters less than the grid of shifts.
+  const Eigen::Vector2d center = MeanPosition(scan);
+  std::vector<std::pair<int, double>> known;
+  for (const SurveyReading& reading : scan.readings) {
+    const int field = map.FindField(reading.transmitter);
+    if (field >= 0) known.emplace_back(field, reading.rssi_dbm);
+  }
+  const auto shifts = static_cast<Eigen::Index>(kCalibrationShifts.size());
+  ScanCost cost{known.size(), Eigen::ArrayXd(shifts), Eigen::ArrayXd(shifts)};
+  for (Eigen::Index i = 0; i < shifts; ++i) {
+    const FieldBasis basis =
+        EvaluateBasis(map.grid, center + kCalibrationShifts.At(static_cast<std::size_t>(i)));
+    double hearing = map.Silence(basis).value;
+    double signal = 0, slope = 0, information = 0;
+    for (const auto& [field, rssi_dbm] : known) {
+      const FieldValue value = map.EvaluateValue(field, basis);
+      const double inverse = std::exp(-value.log_sigma);
+      const double z = (rssi_dbm - value.mean_dbm) * inverse;
+      signal += 0.5 * z * z + value.log_sigma;
+      slope += z * inverse;
+      information += inverse * inverse;
+      // -log p_hear + log(1 - p_hear) = -logit: the silence field counts everyone as missed.
+      hearing -= value.logit_hear;
+    }
+    cost.signal_nats[i] = signal - OffsetGain(slope, information, settings);
+    cost.hearing_nats[i] = hearing;
+  }
+  return cost;
+}
+
+double SurveyDistanceOf(const RadioMap& map, const SurveyScan& scan) {
+  return map.SurveyDistance(EvaluateBasis(map.grid, MeanPosition(scan))).value;
+}
+
+void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettings& settings,
+                  std::vector<HeldOutPiece>* pieces) {
+  TimeNs piece_begin = 0;
+  bool open = false;
+  for (const SurveyScan* scan : walk) {
+    ScanCost cost = CostOverShifts(map, *scan, settings);
+    if (cost.readings == 0) continue;
+    if (!open || SecondsBetween(piece_begin, scan->printed_ns) > kPieceSeconds) {
+      pieces->emplace_back();
+      piece_begin = scan->printed_ns;
+      open = true;
+    }
+    HeldOutPiece& piece = pieces->back();
+    const auto before = static_cast<double>(piece.scans.size());
+    piece.survey_distance_m =
+        (before * piece.survey_distance_m + SurveyDistanceOf(map, *scan)) / (before + 1);
+    piece.scans.push_back(std::move(cost));
+  }
+}
+
+}  // namespace
+
+HeldOutTrials::HeldOutTrials(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
+                             const TrainerSettings& settings, std::size_t max_transmitters)
+    : floor_(floor), radio_(radio), grid_(grid), settings_(settings) {
+  std::set<std::uint32_t> transmitters, walks;
+  for (const SurveyScan* scan : scans) {
+    by_trial_[scan->trial][scan->walk].push_back(scan);
+    walks.insert(scan->walk);
+    for (const SurveyReading& reading : scan->readings) transmitters.insert(reading.transmitter);
+  }
+  enough_ = walks.size() >= kMinWalks && by_trial_.size() >= kCalibrationFolds;
+  keep_every_ = (transmitters.size() + max_transmitters - 1) / max_transmitters;
+}
+
+void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
+                               std::vector<HeldOutPiece>* pieces) const {
+  ScanList training;
+  std::vector<const ScanList*> held_out;
+  std::size_t index = 0;
+  for (const auto& [trial, walks] : by_trial_) {
+    const bool out = index++ % kCalibrationFolds == fold;
+    for (const auto& [walk, list] : walks) {
+      if (out) held_out.push_back(&list);
+      if (!out) training.insert(training.end(), list.begin(), list.end());
+    }
+  }
+  const RadioMap map =
+      BuildMap(floor_, radio_, grid_, training, model, settings_, {keep_every_, kSearchSamples});
+  const std::size_t count = std::min(max_walks, held_out.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    AppendPieces(map, *held_out[i * held_out.size() / count], settings_, pieces);
+  }
+}
+
+}  // namespace walkgraph

@@ -1,0 +1,60 @@
+#ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_HELD_OUT_PIECES_H_
+#define WALKGRAPH_FRONTENDS_RADIO_MAP_HELD_OUT_PIECES_H_
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "frontends/radio_map/map_builder.h"
+#include "frontends/radio_map/shift_posterior.h"
+
+namespace walkgraph {
+
+// Trials are held out in thirds.
+inline constexpr std::size_t kCalibrationFolds = 3;
+// By which held-out pieces are moved.
+inline constexpr ShiftGrid kCalibrationShifts(2.5, 8);
+
+// -log p of a scan, moved by every shift: of its signal strengths, and of what it heard and missed.
+struct ScanCost {
+  std::size_t readings = 0;  // that the map knows
+  Eigen::ArrayXd signal_nats;
+  Eigen::ArrayXd hearing_nats;
+};
+
+// 20 s of a walk that the map has not seen.
+struct HeldOutPiece {
+  std::vector<ScanCost> scans;
+  double survey_distance_m = 0;  // mean over its scans, as the map has it
+};
+
+// The scans of a floor by trial and walk, and the maps that leave one third of the trials out.
+class HeldOutTrials {
+ public:
+  // The grid and settings must outlive it. Maps are made of an even selection of at most
+  // `max_transmitters`.
+  HeldOutTrials(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
+                const TrainerSettings& settings, std::size_t max_transmitters);
+
+  // Six walks of three trials, fewer of which say nothing.
+  bool enough() const { return enough_; }
+
+  // Pieces of an even selection of at most `max_walks` walks of a fold, on the map of the others.
+  void AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
+                  std::vector<HeldOutPiece>* pieces) const;
+
+ private:
+  int floor_;
+  Radio radio_;
+  const FieldGrid& grid_;
+  const TrainerSettings& settings_;
+  std::map<std::uint32_t, std::map<std::uint32_t, ScanList>> by_trial_;
+  bool enough_ = false;
+  std::size_t keep_every_ = 1;
+};
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_HELD_OUT_PIECES_H_
