@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "factors/settings.h"
 #include "frontends/radio_map/radio_map.h"
 
 namespace walkgraph {
@@ -15,6 +16,12 @@ struct ErrorRatio {
   double value = 1;
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  // 1/m
 };
+
+// g, 1/m, where the error state has standard deviation `sigma_m`; 0 where the error does not grow.
+inline double GrowthPerSigma(const RadioMap& map, const MapErrorSettings& settings,
+                             double sigma_m) {
+  return settings.grows && sigma_m > 0 ? map.map_error_growth / sigma_m : 0.0;
+}
 
 // `growth_per_sigma` is g, 1/m.
 inline ErrorRatio ErrorRatioAt(const RadioMap& map, double growth_per_sigma,

@@ -9,6 +9,7 @@
 #include "factors/at_time.h"
 #include "factors/fingerprint.h"
 #include "factors/magnetic.h"
+#include "factors/map_look.h"
 #include "factors/map_sweeps.h"
 #include "factors/prior.h"
 #include "graph/node_times.h"
@@ -114,9 +115,7 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
           AddRssiOffsetState(settings.rssi_offset, static_cast<int>(kind), begin_ns, &walk->graph);
     }
     const int offset = offsets[kind];
-    const double growth_per_sigma = settings.map_error.grows && error_sigma_m > 0
-                                        ? radio.map->map_error_growth / error_sigma_m
-                                        : 0.0;
+    const double growth_per_sigma = GrowthPerSigma(*radio.map, settings.map_error, error_sigma_m);
     for (const MapSweep& part : CollectMapSweeps(site, *radio.map, evidence, settings.fingerprint,
                                                  walk->floors, kSamePlaceS)) {
       AddPositionAtTime(

@@ -74,7 +74,8 @@ class RadioMap {
   // together (a channel not scanned misses all of its transmitters), more so than signal strengths.
   double hear_weight = 1;
   double map_error_sigma_m = 0;
-  // Metres that this error grows per metre from the survey (see MapErrorSigma).
+  // Metres that this error grows per metre from the survey: d metres away its sigma is
+  // sqrt(map_error_sigma_m^2 + (map_error_growth d)^2). Calibrated like it.
   double map_error_growth = 0;
   std::vector<TransmitterField> fields;  // by transmitter
   // Sum over all transmitters of -log(1 - p_hear): a sweep that hears nothing costs this much.

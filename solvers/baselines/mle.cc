@@ -55,8 +55,8 @@ double MapErrorVariance(const RadioMap* map, const MapErrorSettings& settings,
   if (settings.mode == StateMode::kAbsent) return 0;
   if (map == nullptr) return settings.sigma_m * settings.sigma_m;
   const double sigma = settings.sigma_m > 0 ? settings.sigma_m : map->map_error_sigma_m;
-  const double growth = settings.grows && sigma > 0 ? map->map_error_growth / sigma : 0.0;
-  const double error = sigma * ErrorRatioAt(*map, growth, position).value;
+  const double error =
+      sigma * ErrorRatioAt(*map, GrowthPerSigma(*map, settings, sigma), position).value;
   return error * error;
 }
 

@@ -15,7 +15,8 @@ namespace walkgraph {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = testing::TempDir() + "walkgraph_XXXXXX";
+    // mkdtemp() replaces the six letters at the end.
+    std::string pattern = testing::TempDir() + "walkgraph_" + std::string(6, 'X');
     if (mkdtemp(pattern.data()) == nullptr) ADD_FAILURE() << "no folder " << pattern;
     path_ = pattern;
   }
