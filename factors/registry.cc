@@ -12,7 +12,7 @@ const std::vector<FactorInfo>& FactorRegistry() {
       {HearingFactor::kName, "the transmitters heard and not heard fit the radio map"},
       {MagneticFactor::kName, "the magnetic field fits the magnetic map"},
       {RandomWalkFactor::kName, "a slow state drifts from knot to knot"},
-      {GaussMarkovFactor::kName, "the radio map's error fades with time"},
+      {MapErrorFactor<2>::kName, "a map errs alike at places that are close"},
       {StatePriorFactor::kName, "a slow state before the walk"},
       {PositionAnchorFactor::kName, "a surveyed point was passed"},
       {BarometricFactor::kName, "the height is the barometer's, up to a slow offset"},

@@ -8,10 +8,10 @@
 #include "factors/area.h"
 #include "factors/barometric.h"
 #include "factors/fingerprint.h"
-#include "factors/gauss_markov.h"
 #include "factors/heading_increment.h"
 #include "factors/level.h"
 #include "factors/magnetic.h"
+#include "factors/map_error.h"
 #include "factors/position_hold.h"
 #include "factors/prior.h"
 #include "factors/random_walk.h"
@@ -26,7 +26,7 @@ struct FactorList {};
 using RegisteredFactors =
     FactorList<StepFactor, HeadingIncrementFactor, AbsoluteHeadingFactor, PositionHoldFactor,
                FingerprintFactor, HearingFactor, MagneticFactor, RandomWalkFactor,
-               GaussMarkovFactor, StatePriorFactor, PositionAnchorFactor, BarometricFactor,
+               MapErrorFactor<2>, StatePriorFactor, PositionAnchorFactor, BarometricFactor,
                LevelFactor, AreaFactor>;
 
 struct FactorInfo {

@@ -96,7 +96,8 @@ struct StepScaleSettings {
 struct MapErrorSettings {
   StateMode mode = StateMode::kActive;
   double sigma_m = 0;  // stationary, per axis; 0 takes the site's calibrated value
-  double correlation_s = 20;
+  double correlation_m = 20;
+  double correlation_s = 150;
   double knot_s = 5;
   bool grows = false;  // away from the survey, as calibrated
 };
@@ -157,6 +158,7 @@ struct FloorSettings {
   double n_eff = 4;  // independent readings per scan (field measurements: 3 to 4 of 100)
   // Weight of the whole building's looks on every floor against a floor's own, by number.
   double background = 0.3;
+  double correlation_s = 20;  // what is heard within says the same thing again
 };
 
 struct MagneticLookSettings {
@@ -270,7 +272,8 @@ void Visit(Visitor& v, MapErrorSettings& s) {
   v.Field("mode", s.mode, "active, fixed or absent");
   v.Field("sigma_m", s.sigma_m,
           "stationary error of the radio map per axis, m; 0 takes the site's calibrated value");
-  v.Field("correlation_s", s.correlation_s, "time over which the error persists, s");
+  v.Field("correlation_m", s.correlation_m, "distance over which the error persists, m");
+  v.Field("correlation_s", s.correlation_s, "time over which it persists at one place, s");
   v.Field("knot_s", s.knot_s, "knot spacing, s");
   v.Field("grows", s.grows,
           "the error grows with the distance from the survey at the site's calibrated rate; false: "
@@ -321,6 +324,7 @@ void Visit(Visitor& v, FloorSettings& s) {
   v.Field("n_eff", s.n_eff, "independent readings of all that is heard within a correlation time");
   v.Field("background", s.background,
           "weight of the whole building's looks on every floor against a floor's own");
+  v.Field("correlation_s", s.correlation_s, "time over which what is heard stays the same, s");
 }
 template <typename Visitor>
 void Visit(Visitor& v, PriorSettings& s) {

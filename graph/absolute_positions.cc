@@ -12,6 +12,7 @@
 #include "factors/map_look.h"
 #include "factors/map_sweeps.h"
 #include "factors/prior.h"
+#include "graph/map_error_states.h"
 #include "graph/node_times.h"
 #include "graph/slow_states.h"
 
@@ -105,8 +106,7 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
   const TimeNs begin_ns = walk->node_ns.front();
   const double error_sigma_m = MapErrorSigma(radios, settings.map_error);
   const KnotBlocks map_error =
-      AddMapErrorState(BlockKind::kMapError, settings.map_error, error_sigma_m, begin_ns,
-                       walk->node_ns.back(), &walk->graph);
+      AddMapErrorState(BlockKind::kMapError, settings.map_error, error_sigma_m, walk);
   std::map<Radio, int> offsets;  // one on all floors
   for (const HeardRadio& radio : radios) {
     const Radio kind = radio.map->radio;
@@ -141,8 +141,7 @@ void AddMagneticLooks(const Site& site, const Evidence& evidence, const FactorSe
     error_sigma_m = std::max(error_sigma_m, look.map->map_error_sigma_m);
   }
   const KnotBlocks error =
-      AddMapErrorState(BlockKind::kMagneticError, settings.map_error, error_sigma_m,
-                       walk->node_ns.front(), walk->node_ns.back(), &walk->graph);
+      AddMapErrorState(BlockKind::kMagneticError, settings.map_error, error_sigma_m, walk);
   for (const MagneticLook& look : looks) {
     auto cost = std::make_unique<MagneticFactor>(look);
     GraphFactor factor;

@@ -42,6 +42,7 @@ void CheckSettings(const FactorSettings& s) {
   CheckPositive("step_scale.prior_sigma", s.step_scale.prior_sigma);
   CheckPositive("step_scale.walk_per_sqrt_s", s.step_scale.walk_per_sqrt_s);
   CheckPositive("step_scale.knot_s", s.step_scale.knot_s);
+  CheckPositive("map_error.correlation_m", s.map_error.correlation_m);
   CheckPositive("map_error.correlation_s", s.map_error.correlation_s);
   CheckPositive("map_error.knot_s", s.map_error.knot_s);
   CheckPositive("rssi_offset.prior_sigma_db", s.rssi_offset.prior_sigma_db);

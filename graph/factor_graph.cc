@@ -1,6 +1,7 @@
 #include "graph/factor_graph.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace walkgraph {
 
@@ -14,7 +15,7 @@ int FactorGraph::AddBlock(BlockId id, TimeNs time_ns, const Eigen::VectorXd& val
   return static_cast<int>(blocks_.size()) - 1;
 }
 
-int FactorGraph::AddFactor(GraphFactor factor) {
+void FactorGraph::CheckFit(const GraphFactor& factor) const {
   const std::vector<int>& sizes = factor.cost->parameter_block_sizes();
   bool fits = sizes.size() == factor.blocks.size();
   for (std::size_t i = 0; fits && i < sizes.size(); ++i) {
@@ -23,8 +24,17 @@ int FactorGraph::AddFactor(GraphFactor factor) {
            blocks_[static_cast<std::size_t>(block)].size() == sizes[i];
   }
   if (!fits) throw std::invalid_argument("factor " + factor.type + " does not fit its blocks");
+}
+
+int FactorGraph::AddFactor(GraphFactor factor) {
+  CheckFit(factor);
   factors_.push_back(std::move(factor));
   return static_cast<int>(factors_.size()) - 1;
+}
+
+void FactorGraph::ReplaceFactor(int index, GraphFactor factor) {
+  CheckFit(factor);
+  factors_.at(static_cast<std::size_t>(index)) = std::move(factor);
 }
 
 void FactorGraph::SetValues(const Eigen::VectorXd& values) {

@@ -71,6 +71,9 @@ class FactorGraph {
   // Throws std::invalid_argument unless the blocks exist and have the sizes of the cost function.
   int AddFactor(GraphFactor factor);
 
+  // Puts another factor in the place of one. Throws as AddFactor does.
+  void ReplaceFactor(int index, GraphFactor factor);
+
   const std::vector<StateBlock>& blocks() const { return blocks_; }
   const std::vector<GraphFactor>& factors() const { return factors_; }
   const StateBlock& block(int index) const { return blocks_[static_cast<std::size_t>(index)]; }
@@ -83,6 +86,8 @@ class FactorGraph {
   const double* value(int block) const { return values_.data() + blocks_[block].offset; }
 
  private:
+  void CheckFit(const GraphFactor& factor) const;
+
   std::vector<StateBlock> blocks_;
   std::vector<GraphFactor> factors_;
   Eigen::VectorXd values_;

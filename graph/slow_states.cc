@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "factors/gauss_markov.h"
 #include "factors/prior.h"
 #include "factors/random_walk.h"
 
@@ -43,24 +42,6 @@ KnotBlocks AddRandomWalkState(const RandomWalkModel& model, TimeNs begin_ns, Tim
   for (std::size_t k = 1; k < state.blocks.size(); ++k) {
     graph->AddFactor(MakeGraphFactor(walk, {state.blocks[k - 1], state.blocks[k]},
                                      TypeOf(model.kind, "random_walk")));
-  }
-  return state;
-}
-
-KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
-                            TimeNs begin_ns, TimeNs end_ns, FactorGraph* graph) {
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
-  if (settings.mode != StateMode::kActive || sigma_m <= 0) {
-    return AddHeldState(kind, zero, begin_ns, graph);
-  }
-  KnotBlocks state{Knots(begin_ns, end_ns, settings.knot_s), {}};
-  state.blocks = AddKnots(kind, state.knots, zero, graph);
-  graph->AddFactor(MakeGraphFactor(PositionAnchorFactor{0, 0, sigma_m}, {state.blocks.front()},
-                                   TypeOf(kind, "prior")));
-  const auto fade = GaussMarkovFactor::Stationary(sigma_m, settings.correlation_s, settings.knot_s);
-  for (std::size_t k = 1; k < state.blocks.size(); ++k) {
-    graph->AddFactor(MakeGraphFactor(fade, {state.blocks[k - 1], state.blocks[k]},
-                                     TypeOf(kind, "gauss_markov")));
   }
   return state;
 }

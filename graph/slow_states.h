@@ -31,11 +31,6 @@ struct RandomWalkModel {
 KnotBlocks AddRandomWalkState(const RandomWalkModel& model, TimeNs begin_ns, TimeNs end_ns,
                               FactorGraph* graph);
 
-// The error of a map (kMapError or kMagneticError) with its stationary prior; absent where sigma_m
-// is 0.
-KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
-                            TimeNs begin_ns, TimeNs end_ns, FactorGraph* graph);
-
 // The offset of a radio, which stays the same all walk long.
 int AddRssiOffsetState(const RssiOffsetSettings& settings, int radio, TimeNs begin_ns,
                        FactorGraph* graph);

@@ -12,10 +12,26 @@ bool IsOfGroup(const LinearFactor& factor, const std::vector<bool>& in_group) {
                      [&in_group](int block) { return in_group[static_cast<std::size_t>(block)]; });
 }
 
-// Joint covariance of a factor's blocks, in their order. Precondition: one block or two.
+// Joint covariance of a factor's blocks, in their order.
 Eigen::MatrixXd CovarianceOf(const LinearFactor& factor, const MarginalCovariance& marginals) {
-  if (factor.blocks.size() == 1) return marginals.block(factor.blocks.front()).covariance;
-  return marginals.Joint(factor.blocks[0], factor.blocks[1])->covariance;
+  Eigen::MatrixXd joint(factor.jacobian.cols(), factor.jacobian.cols());
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < factor.blocks.size(); ++i) {
+    const Eigen::MatrixXd& own = marginals.block(factor.blocks[i]).covariance;
+    const Eigen::Index rows = own.rows();
+    joint.block(row, row, rows, rows) = own;
+    Eigen::Index column = row + rows;
+    for (std::size_t j = i + 1; j < factor.blocks.size(); ++j) {
+      const Eigen::MatrixXd pair =
+          marginals.Joint(factor.blocks[i], factor.blocks[j])->covariance;
+      const Eigen::Index columns = pair.cols() - rows;
+      joint.block(row, column, rows, columns) = pair.topRightCorner(rows, columns);
+      joint.block(column, row, columns, rows) = pair.bottomLeftCorner(columns, rows);
+      column += columns;
+    }
+    row += rows;
+  }
+  return joint;
 }
 
 }  // namespace
@@ -31,8 +47,7 @@ VarianceComponent EstimateVarianceComponent(const LinearSystem& system,
                                             const MarginalCovariance& marginals) {
   VarianceComponent component;
   for (const LinearFactor& factor : system.factors) {
-    // Priors on more blocks come from a window's past, whose residuals were counted there.
-    if (factor.blocks.size() > 2 || !IsOfGroup(factor, in_group)) continue;
+    if (!IsOfGroup(factor, in_group)) continue;
     const Eigen::MatrixXd& jacobian = factor.jacobian;
     const double used = (jacobian * CovarianceOf(factor, marginals)).cwiseProduct(jacobian).sum();
     component.squares += factor.residual.squaredNorm();
@@ -44,7 +59,7 @@ VarianceComponent EstimateVarianceComponent(const LinearSystem& system,
 void InflateVariance(double factor, const std::vector<bool>& in_group, LinearSystem* system) {
   const double scale = 1.0 / std::sqrt(factor);
   for (LinearFactor& linear : system->factors) {
-    if (linear.blocks.size() > 2 || !IsOfGroup(linear, in_group)) continue;
+    if (!IsOfGroup(linear, in_group)) continue;
     linear.jacobian *= scale;
     linear.residual *= scale;
   }

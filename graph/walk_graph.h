@@ -9,15 +9,24 @@
 
 #include "data/trajectory.h"
 #include "factors/floor_path.h"
+#include "factors/map_error.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
 #include "graph/factor_graph.h"
+#include "graph/slow_states.h"
 
 namespace walkgraph {
 
 // Type of the factor that stands for ignorance of where the walk begins.
 inline constexpr std::string_view kPositionPriorType = "position_prior";
+
+// The error of one map in a walk's graph.
+struct MapErrorKnots {
+  KnotBlocks state;
+  std::vector<int> factors;  // of each knot given others
+  MapErrorKernel kernel;
+};
 
 // The factor graph of one walk whose floors are known: every node, slow state and factor that the
 // evidence calls for. It does not depend on where the walk is thought to be, so that one graph
@@ -30,7 +39,9 @@ struct WalkGraph {
   std::vector<int> heading;   // block of each node
   // Block of each node; empty where the walk stays on one level and no barometer ran.
   std::vector<int> height;
-  std::vector<double> level_m;  // of each node: height of its floor, the building's
+  std::vector<double> level_m;   // of each node: height of its floor, the building's
+  std::vector<double> walked_m;  // until each node, by the steps alone
+  std::vector<MapErrorKnots> map_errors;  // of the maps that are known to err
   // When the first evidence of a place arrived (a scan that the map knows, an anchor); none: never.
   std::optional<TimeNs> first_absolute_position_ns;
   bool has_absolute_heading = false;

@@ -1,6 +1,7 @@
 #include "solvers/batch_smoother.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graph/graph_part.h"
@@ -26,6 +27,12 @@ EstimateResult BatchSmoother::Estimate(const Site& site, const Evidence& unsorte
     modes.push_back(SolveFrom(start, whole, solver_, &walk, &failed_solves));
   }
   RankModes(solver_, whole, &walk, &modes);
+  if (!walk.map_errors.empty()) {
+    for (Mode& mode : modes) {
+      mode = RefineOnPlaces(std::move(mode), whole, solver_, &walk, &failed_solves);
+    }
+    RankModes(solver_, whole, &walk, &modes);
+  }
   EstimateResult result = Describe(walk, modes, solver_.mode_limit_nats);
   AppendFloorStates(track, &result.slow_states);
   if (failed_solves > 0) {

@@ -47,7 +47,7 @@ std::vector<std::string> DescribeUnobservable(const WalkGraph& walk) {
 
 EstimateResult Describe(WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats) {
   EstimateResult result;
-  walk.graph.SetValues(modes.front().values);
+  GoTo(modes.front(), &walk);
   result.trajectory = MixModes(walk, modes, mode_limit_nats);
   result.slow_states = SlowStates(walk, modes.front());
   result.hypotheses = Hypotheses(walk, modes, mode_limit_nats);

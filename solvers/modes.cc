@@ -12,6 +12,7 @@
 #include "data/angle.h"
 #include "frontends/evidence/barometric_formula.h"
 #include "graph/linearize.h"
+#include "graph/map_error_states.h"
 #include "graph/marginal_covariance.h"
 #include "graph/posterior.h"
 #include "graph/variance_component.h"
@@ -191,7 +192,25 @@ Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
   if (!SolveGraduated(placed ? part : HeightPart(*walk, part), settings, &walk->graph).ok) {
     ++*failed_solves;
   }
-  return {start.source, walk->graph.values(), NegativeLogDensity(walk->graph, part), 0, {}};
+  return {start.source, walk->graph.values(), NegativeLogDensity(walk->graph, part), 0, {}, false};
+}
+
+void GoTo(const Mode& mode, WalkGraph* walk) {
+  walk->graph.SetValues(mode.values);
+  if (mode.on_places) ConditionOnPlaces(walk);
+}
+
+Mode RefineOnPlaces(Mode mode, const GraphPart& part, const SolverSettings& settings,
+                    WalkGraph* walk, int* failed_solves) {
+  mode.on_places = true;
+  for (int round = 0; round < 2; ++round) {
+    GoTo(mode, walk);
+    if (!SolveGraduated(part, settings, &walk->graph).ok) ++*failed_solves;
+    mode.values = walk->graph.values();
+  }
+  GoTo(mode, walk);
+  mode.negative_log_density = NegativeLogDensity(walk->graph, part);
+  return mode;
 }
 
 void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph* walk,
@@ -206,7 +225,7 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
                       settings.distinct_m);
     });
     if (repeated) continue;
-    walk->graph.SetValues(mode.values);
+    GoTo(mode, walk);
     mode.uncertainty = ComputeUncertainty(*walk, part, settings.map_error_test);
     mode.negative_log_mass = NegativeLogModeMass(
         mode.negative_log_density, mode.uncertainty.log_det_hessian, mode.uncertainty.variables);

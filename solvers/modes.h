@@ -40,6 +40,7 @@ struct Mode {
   double negative_log_density = 0;
   double negative_log_mass = 0;  // see NegativeLogModeMass
   PointUncertainty uncertainty;
+  bool on_places = false;  // see RefineOnPlaces
 };
 
 // Whether a point of the state space explains the walk as a mode does, `values` with `uncertainty`:
@@ -66,6 +67,14 @@ Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, doubl
 // solve that fails counts in `failed_solves` and leaves the start.
 Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
                const SolverSettings& settings, WalkGraph* walk, int* failed_solves);
+
+// Takes the graph to a mode: its values, and the errors of maps conditioned as it has them.
+void GoTo(const Mode& mode, WalkGraph* walk);
+
+// A mode of a whole walk moved to where it is when the maps' errors belong to the places that it
+// passes (see ConditionOnPlaces): twice, for they change with it. Without its mass.
+Mode RefineOnPlaces(Mode mode, const GraphPart& part, const SolverSettings& settings,
+                    WalkGraph* walk, int* failed_solves);
 
 // Slow states of a mode at their knots, constant ones left out. The barometric offset a second time
 // in hPa: what this barometer shows at height zero, less the standard atmosphere's pressure.

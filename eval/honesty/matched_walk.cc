@@ -47,8 +47,8 @@ class PlaceError {
  public:
   PlaceError(const MapErrorSettings& settings, const Random& random)
       : sigma_m_(settings.sigma_m),
-        x_(RandomField::Exponential(kPlannedSpeedMps * settings.correlation_s, random.Fork(0))),
-        y_(RandomField::Exponential(kPlannedSpeedMps * settings.correlation_s, random.Fork(1))) {}
+        x_(RandomField::Exponential(settings.correlation_m, random.Fork(0))),
+        y_(RandomField::Exponential(settings.correlation_m, random.Fork(1))) {}
 
   Eigen::Vector2d At(const Eigen::Vector2d& position_m) const {
     return sigma_m_ * Eigen::Vector2d(x_.At(position_m), y_.At(position_m));
@@ -217,6 +217,7 @@ Settings MatchedSettings() {
   }
   factors.fingerprint.n_eff = 1000;
   factors.map_error.sigma_m = 2;
+  factors.map_error.correlation_s = 1e9;  // it belongs to the places alone
   factors.gyro_bias.prior_sigma_radps = 0.003;
   factors.prior.position_sigma_m = 5;
   return settings;

@@ -79,7 +79,7 @@ FloorSounds::FloorSounds(const Site& site, const FactorSettings& settings)
   std::map<Key, MeanSignals> looks;
   for (const SurveyScan& scan : site.scans) {
     const std::int64_t stretch =
-        Stretch(scan.printed_ns, site.scans.front().printed_ns, settings.map_error.correlation_s);
+        Stretch(scan.printed_ns, site.scans.front().printed_ns, settings.floor.correlation_s);
     MeanSignals& look = looks[{scan.walk, scan.floor, scan.radio, stretch}];
     for (const SurveyReading& reading : scan.readings) {
       look.Add(reading.transmitter, reading.rssi_dbm);
@@ -120,7 +120,7 @@ void FloorSounds::AppendLooks(const Evidence& evidence, Radio radio, const std::
   Eigen::VectorXd said = nothing;  // by the stretch so far
   for (const Sweep& sweep : GroupSweeps(evidence, radio)) {
     const std::int64_t at =
-        Stretch(sweep.mean_heard_ns, evidence.begin_ns, settings_.map_error.correlation_s);
+        Stretch(sweep.mean_heard_ns, evidence.begin_ns, settings_.floor.correlation_s);
     if (at != stretch) {
       stretch = at;
       signals = {};

@@ -20,7 +20,7 @@ struct FloorLook {
 };
 
 // How floors sound, by the survey's own readings. A look is all that a radio heard in one
-// correlation time of its errors (map_error.correlation_s), the mean of each transmitter. The
+// correlation time of its errors (noise.floor.correlation_s), the mean of each transmitter. The
 // likelihood of a look on a floor is that of a mixture of kernels, one for each look of the survey
 // there, with
 //   -log k = 1/2 w sum over transmitters of min((q - r)^2 / s^2, 25),  w = min(1, n_eff / heard),

@@ -136,7 +136,7 @@ TEST_F(Matched, EveryFactorFindsResidualsOfVarianceOneAtTheTrueStates) {
     }
   }
   for (const char* type : {"absolute_heading", "fingerprint", "heading_increment", "standing",
-                           "step", "map_error_m_gauss_markov", "gyro_bias_radps_prior",
+                           "step", "map_error_m_field", "gyro_bias_radps_prior",
                            "heading_offset_rad_random_walk", "position_prior"}) {
     ASSERT_TRUE(pooled.contains(type)) << type;
     const PooledStatistics& s = pooled.at(type);

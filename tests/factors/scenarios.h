@@ -177,21 +177,25 @@ struct Scenario<RandomWalkFactor> : PairScenario<RandomWalkFactor, BlockKind::kG
 };
 
 template <>
-struct Scenario<GaussMarkovFactor> : PairScenario<GaussMarkovFactor, BlockKind::kMapError> {
-  explicit Scenario(Random*) { factor = GaussMarkovFactor::Stationary(3.0, 20.0, 5.0); }
-  // From the stationary distribution: what an exact simulation in small time steps would give.
-  Blocks Sampled(Random* random) const {
-    Eigen::Vector2d first(Normal(random, 3.0), Normal(random, 3.0)), state = first;
-    constexpr int kSteps = 500;
-    for (int i = 0; i < kSteps; ++i) {  // de = -e / tau dt + s sqrt(2 / tau) dW
-      const double dt = 5.0 / kSteps;
-      for (int axis = 0; axis < 2; ++axis) {
-        state[axis] += -state[axis] / 20.0 * dt + Normal(random, 3.0 * std::sqrt(2.0 / 20.0 * dt));
-      }
-    }
-    return {first, state};
+struct Scenario<MapErrorFactor<2>> : StructScenario<MapErrorFactor<2>> {
+  static std::vector<BlockKind> kinds() {
+    return {BlockKind::kMapError, BlockKind::kMapError, BlockKind::kMapError};
   }
+  explicit Scenario(Random*) {
+    factor.weight = {0.5, 0.4};
+    factor.sigma_m = 1.5;
+  }
+  Blocks Predicted(Random* random) const { return Draw(random, 0); }
+  Blocks Sampled(Random* random) const { return Draw(random, factor.sigma_m); }
   Scenario Moved(const Motion&) const { return *this; }
+
+ private:
+  Blocks Draw(Random* random, double sigma_m) const {
+    const auto draw = [random](double s) { return Eigen::Vector2d(Normal(random, s), Normal(random, s)); };
+    const Eigen::Vector2d first = draw(3), second = draw(3);
+    return {first, second,
+            factor.weight[0] * first + factor.weight[1] * second + draw(1) * sigma_m};
+  }
 };
 
 template <>

@@ -1,0 +1,192 @@
+#include "graph/map_error_states.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "factors/map_error.h"
+#include "graph/node_times.h"
+
+namespace walkgraph {
+namespace {
+
+constexpr int kMostGiven = 3;
+// Errors at one and the same place and time are still not one: no weight goes to infinity.
+constexpr double kLeastVariance = 1e-4;
+
+template <int kGiven>
+GraphFactor MakeFactor(const SparseConditional& conditional, double sigma_m,
+                       std::vector<int> blocks, std::string type) {
+  MapErrorFactor<kGiven> factor;
+  std::copy_n(conditional.weights.data(), kGiven, factor.weight.begin());
+  factor.sigma_m = sigma_m * std::sqrt(std::max(conditional.variance, kLeastVariance));
+  return MakeGraphFactor(factor, std::move(blocks), std::move(type));
+}
+
+GraphFactor MakeMapErrorFactor(const MapErrorKnots& knots, int knot,
+                               const SparseConditional& conditional, BlockKind kind) {
+  std::vector<int> blocks;
+  for (const int given : conditional.given) {
+    blocks.push_back(knots.state.blocks[static_cast<std::size_t>(given)]);
+  }
+  blocks.push_back(knots.state.blocks[static_cast<std::size_t>(knot)]);
+  std::string type = std::string(BlockName(kind)) + "_field";
+  const double sigma_m = knots.kernel.sigma_m;
+  switch (conditional.given.size()) {
+    case 0:
+      return MakeFactor<0>(conditional, sigma_m, std::move(blocks), std::move(type));
+    case 1:
+      return MakeFactor<1>(conditional, sigma_m, std::move(blocks), std::move(type));
+    case 2:
+      return MakeFactor<2>(conditional, sigma_m, std::move(blocks), std::move(type));
+    default:
+      return MakeFactor<kMostGiven>(conditional, sigma_m, std::move(blocks), std::move(type));
+  }
+}
+
+// Where the walk was while a knot held: the middle of its nodes.
+struct KnotPlace {
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
+  int floor = 0;
+};
+
+std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& walk) {
+  std::vector<KnotPlace> places;
+  std::size_t node = 0;
+  for (int k = 0; k < knots.state.knots.count(); ++k) {
+    const TimeNs end_ns = knots.state.knots.Time(k + 1);
+    const bool last = k + 1 == knots.state.knots.count();
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    const std::size_t first = node;
+    while (node < walk.node_ns.size() && (last || walk.node_ns[node] < end_ns)) {
+      sum += Eigen::Map<const Eigen::Vector2d>(walk.graph.value(walk.position[node++]));
+    }
+    // Nodes are a second apart at most: only a knot shorter than that can be without.
+    const TimeNs middle_ns = knots.state.knots.Time(k) + (end_ns - knots.state.knots.Time(k)) / 2;
+    if (node == first) {
+      const NodeBracket bracket = FindBracket(walk.node_ns, middle_ns);
+      const int block = walk.position[static_cast<std::size_t>(bracket.before)];
+      sum = Eigen::Map<const Eigen::Vector2d>(walk.graph.value(block));
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(1, node - first));
+    places.push_back({sum / count, walk.floors.At(middle_ns)});
+  }
+  return places;
+}
+
+double WalkedBetween(const WalkGraph& walk, TimeNs from_ns, TimeNs to_ns) {
+  const auto walked_until = [&walk](TimeNs time_ns) {
+    const NodeBracket bracket = FindBracket(walk.node_ns, time_ns);
+    const auto before = static_cast<std::size_t>(bracket.before);
+    const double at = walk.walked_m[before];
+    return bracket.fraction > 0 ? at + bracket.fraction * (walk.walked_m[before + 1] - at) : at;
+  };
+  return walked_until(to_ns) - walked_until(from_ns);
+}
+
+}  // namespace
+
+SparseConditional ConditionOnEarlier(int index, const std::function<double(int, int)>& correlation,
+                                     int most) {
+  constexpr double kLeastCorrelation = 0.02, kLeastShare = 0.01;
+  struct Candidate {
+    int index;
+    Eigen::VectorXd with_given;  // correlations with those chosen so far
+    double with_own;
+  };
+  std::vector<Candidate> candidates;
+  for (int i = 0; i < index; ++i) {
+    const double with_own = correlation(i, index);
+    if (with_own > kLeastCorrelation) candidates.push_back({i, {}, with_own});
+  }
+  SparseConditional result;
+  Eigen::MatrixXd among;  // correlations of the chosen
+  Eigen::VectorXd own;    // theirs with the variable
+  for (int chosen = 0; chosen < most; ++chosen) {
+    const Eigen::LDLT<Eigen::MatrixXd> ldlt(among);
+    const Candidate* best = nullptr;
+    double largest_gain = kLeastShare * result.variance;
+    for (const Candidate& candidate : candidates) {
+      double left = 1, together = candidate.with_own;  // given the chosen
+      if (chosen > 0) {
+        const Eigen::VectorXd weights = ldlt.solve(candidate.with_given);
+        left -= weights.dot(candidate.with_given);
+        together -= weights.dot(own);
+      }
+      if (left < kLeastVariance) continue;
+      const double gain = together * together / left;
+      if (gain > largest_gain) {
+        largest_gain = gain;
+        best = &candidate;
+      }
+    }
+    if (best == nullptr) break;
+    result.given.push_back(best->index);
+    among.conservativeResize(chosen + 1, chosen + 1);
+    among(chosen, chosen) = 1;
+    if (chosen > 0) {
+      among.col(chosen).head(chosen) = best->with_given;
+      among.row(chosen).head(chosen) = best->with_given.transpose();
+    }
+    own.conservativeResize(chosen + 1);
+    own[chosen] = best->with_own;
+    for (Candidate& candidate : candidates) {
+      candidate.with_given.conservativeResize(chosen + 1);
+      candidate.with_given[chosen] = correlation(candidate.index, result.given.back());
+    }
+    result.weights = among.ldlt().solve(own);
+    result.variance = 1 - result.weights.dot(own);
+  }
+  return result;
+}
+
+KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
+                            WalkGraph* walk) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
+  const TimeNs begin_ns = walk->node_ns.front();
+  if (settings.mode != StateMode::kActive || sigma_m <= 0) {
+    return {Knots(begin_ns, begin_ns, 1.0), {walk->graph.AddBlock({kind, 0}, begin_ns, zero, true)}};
+  }
+  const Knots times(begin_ns, walk->node_ns.back(), settings.knot_s);
+  MapErrorKnots knots{{times, {}}, {}, {sigma_m, settings.correlation_m, settings.correlation_s}};
+  for (int k = 0; k < times.count(); ++k) {
+    knots.state.blocks.push_back(walk->graph.AddBlock({kind, k}, times.Time(k), zero));
+  }
+  for (int k = 0; k < times.count(); ++k) {
+    SparseConditional conditional;
+    if (k > 0 && walk->floors.At(times.Time(k - 1)) == walk->floors.At(times.Time(k))) {
+      const double rho = knots.kernel.Correlation(
+          WalkedBetween(*walk, times.Time(k - 1), times.Time(k)), settings.knot_s);
+      conditional = {{k - 1}, Eigen::VectorXd::Constant(1, rho), 1 - rho * rho};
+    }
+    knots.factors.push_back(
+        walk->graph.AddFactor(MakeMapErrorFactor(knots, k, conditional, kind)));
+  }
+  walk->map_errors.push_back(knots);
+  return knots.state;
+}
+
+void ConditionOnPlaces(WalkGraph* walk) {
+  for (const MapErrorKnots& knots : walk->map_errors) {
+    const std::vector<KnotPlace> places = KnotPlaces(knots, *walk);
+    const auto correlation = [&](int a, int b) {
+      const KnotPlace &at = places[static_cast<std::size_t>(a)],
+                      &other = places[static_cast<std::size_t>(b)];
+      if (at.floor != other.floor) return 0.0;
+      return knots.kernel.Correlation(
+          (at.position_m - other.position_m).norm(),
+          SecondsBetween(knots.state.knots.Time(a), knots.state.knots.Time(b)));
+    };
+    const BlockKind kind = walk->graph.block(knots.state.blocks.front()).id.kind;
+    for (int k = 0; k < knots.state.knots.count(); ++k) {
+      walk->graph.ReplaceFactor(
+          knots.factors[static_cast<std::size_t>(k)],
+          MakeMapErrorFactor(knots, k, ConditionOnEarlier(k, correlation, kMostGiven), kind));
+    }
+  }
+}
+
+}  // namespace walkgraph

@@ -1,0 +1,41 @@
+#ifndef WALKGRAPH_GRAPH_MAP_ERROR_STATES_H_
+#define WALKGRAPH_GRAPH_MAP_ERROR_STATES_H_
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "factors/settings.h"
+#include "factors/state_blocks.h"
+#include "graph/slow_states.h"
+#include "graph/walk_graph.h"
+
+namespace walkgraph {
+
+// Adds the error of a map (kMapError or kMagneticError) of stationary sigma `sigma_m` to the graph
+// of a walk whose nodes are there; absent where sigma_m is 0. Each knot is conditioned on the one
+// before, as far from it as was walked between them: what is known before anybody knows where.
+KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
+                            WalkGraph* walk);
+
+// The same, with each knot conditioned on those before that tell most of it by where the graph's
+// values have them: who comes back to a place finds the map's error there again. Errors on
+// different floors are independent, as their maps are.
+void ConditionOnPlaces(WalkGraph* walk);
+
+// A standardised Gaussian variable given others: x = weights^T x_given + N(0, variance).
+struct SparseConditional {
+  std::vector<int> given;
+  Eigen::VectorXd weights;
+  double variance = 1;
+};
+
+// Variable `index` given at most `most` of those before it, chosen one after the other by how much
+// of the variance they take (Vecchia's approximation with the neighbours that matter). Stops where
+// the next would take under a hundredth of what is left.
+SparseConditional ConditionOnEarlier(int index, const std::function<double(int, int)>& correlation,
+                                     int most);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_GRAPH_MAP_ERROR_STATES_H_
