@@ -107,7 +107,7 @@ SparseConditional ConditionOnEarlier(int index, const std::function<double(int, 
   Eigen::VectorXd own;    // theirs with the variable
   for (int chosen = 0; chosen < most; ++chosen) {
     const Eigen::LDLT<Eigen::MatrixXd> ldlt(among);
-    const Candidate* best = nullptr;
+    const Candidate* best = nullptr;  // of `candidates`
     double largest_gain = kLeastShare * result.variance;
     for (const Candidate& candidate : candidates) {
       double left = 1, together = candidate.with_own;  // given the chosen
@@ -133,6 +133,7 @@ SparseConditional ConditionOnEarlier(int index, const std::function<double(int, 
     }
     own.conservativeResize(chosen + 1);
     own[chosen] = best->with_own;
+    candidates.erase(candidates.begin() + (best - candidates.data()));
     for (Candidate& candidate : candidates) {
       candidate.with_given.conservativeResize(chosen + 1);
       candidate.with_given[chosen] = correlation(candidate.index, result.given.back());
@@ -151,7 +152,7 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
     return {Knots(begin_ns, begin_ns, 1.0), {walk->graph.AddBlock({kind, 0}, begin_ns, zero, true)}};
   }
   const Knots times(begin_ns, walk->node_ns.back(), settings.knot_s);
-  MapErrorKnots knots{{times, {}}, {}, {sigma_m, settings.correlation_m, settings.correlation_s}};
+  MapErrorKnots knots{{times, {}}, {}, {sigma_m, settings.correlation_m, settings.correlation_s, settings.own_share}};
   for (int k = 0; k < times.count(); ++k) {
     knots.state.blocks.push_back(walk->graph.AddBlock({kind, k}, times.Time(k), zero));
   }
