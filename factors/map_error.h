@@ -19,10 +19,9 @@ struct MapErrorKernel {
   double sigma_m = 1;        // s
   double correlation_m = 1;  // L
   double correlation_s = 1;  // tau
-  double own_share = 0;      // q
 
   double Correlation(double distance_m, double seconds) const {
-    return (1 - own_share) * std::exp(-distance_m / correlation_m - std::abs(seconds) / correlation_s);
+    return std::exp(-distance_m / correlation_m - std::abs(seconds) / correlation_s);
   }
 };
 

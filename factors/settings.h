@@ -96,11 +96,10 @@ struct StepScaleSettings {
 struct MapErrorSettings {
   StateMode mode = StateMode::kActive;
   double sigma_m = 0;  // stationary, per axis; 0 takes the site's calibrated value
-  double correlation_m = 30;
-  double correlation_s = 1000;
-  double own_share = 0;
+  double correlation_m = 20;
+  double correlation_s = 150;
   double knot_s = 5;
-  bool grows = false;  // away from the survey, as calibrated
+  bool grows = true;  // away from the survey, as calibrated
 };
 
 struct RssiOffsetSettings {
@@ -275,7 +274,6 @@ void Visit(Visitor& v, MapErrorSettings& s) {
           "stationary error of the radio map per axis, m; 0 takes the site's calibrated value");
   v.Field("correlation_m", s.correlation_m, "distance over which the error persists, m");
   v.Field("correlation_s", s.correlation_s, "time over which it persists at one place, s");
-  v.Field("own_share", s.own_share, "share of its variance that every knot has for itself");
   v.Field("knot_s", s.knot_s, "knot spacing, s");
   v.Field("grows", s.grows,
           "the error grows with the distance from the survey at the site's calibrated rate; false: "

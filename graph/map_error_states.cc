@@ -53,28 +53,38 @@ struct KnotPlace {
   int floor = 0;
 };
 
-std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& walk) {
+// By the nodes until `now_ns`, of the knots that hold until then.
+std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& walk,
+                                  TimeNs now_ns) {
+  const Knots& times = knots.state.knots;
+  const auto position = [&walk](std::size_t node) {
+    return Eigen::Map<const Eigen::Vector2d>(walk.graph.value(walk.position[node]));
+  };
   std::vector<KnotPlace> places;
   std::size_t node = 0;
-  for (int k = 0; k < knots.state.knots.count(); ++k) {
-    const TimeNs end_ns = knots.state.knots.Time(k + 1);
-    const bool last = k + 1 == knots.state.knots.count();
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int k = 0; k < times.count() && times.Time(k) <= now_ns; ++k) {
+    const bool last = k + 1 == times.count();
+    const TimeNs end_ns = last ? now_ns + 1 : std::min(times.Time(k + 1), now_ns + 1);
     const std::size_t first = node;
-    while (node < walk.node_ns.size() && (last || walk.node_ns[node] < end_ns)) {
-      sum += Eigen::Map<const Eigen::Vector2d>(walk.graph.value(walk.position[node++]));
-    }
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (; node < walk.node_ns.size() && walk.node_ns[node] < end_ns; ++node) sum += position(node);
+    const TimeNs middle_ns = times.Time(k) + (end_ns - times.Time(k)) / 2;
     // Nodes are a second apart at most: only a knot shorter than that can be without.
-    const TimeNs middle_ns = knots.state.knots.Time(k) + (end_ns - knots.state.knots.Time(k)) / 2;
-    if (node == first) {
-      const NodeBracket bracket = FindBracket(walk.node_ns, middle_ns);
-      const int block = walk.position[static_cast<std::size_t>(bracket.before)];
-      sum = Eigen::Map<const Eigen::Vector2d>(walk.graph.value(block));
-    }
-    const auto count = static_cast<double>(std::max<std::size_t>(1, node - first));
-    places.push_back({sum / count, walk.floors.At(middle_ns)});
+    const auto nearest = static_cast<std::size_t>(FindBracket(walk.node_ns, middle_ns).before);
+    places.push_back({node > first ? sum / static_cast<double>(node - first)
+                                   : Eigen::Vector2d(position(nearest)),
+                      walk.floors.At(middle_ns)});
   }
   return places;
+}
+
+double Correlation(const MapErrorKnots& knots, const std::vector<KnotPlace>& places, int a, int b) {
+  const KnotPlace& one = places[static_cast<std::size_t>(a)];
+  const KnotPlace& other = places[static_cast<std::size_t>(b)];
+  if (one.floor != other.floor) return 0;
+  const Knots& times = knots.state.knots;
+  return knots.kernel.Correlation((one.position_m - other.position_m).norm(),
+                                  SecondsBetween(times.Time(a), times.Time(b)));
 }
 
 double WalkedBetween(const WalkGraph& walk, TimeNs from_ns, TimeNs to_ns) {
@@ -152,7 +162,7 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
     return {Knots(begin_ns, begin_ns, 1.0), {walk->graph.AddBlock({kind, 0}, begin_ns, zero, true)}};
   }
   const Knots times(begin_ns, walk->node_ns.back(), settings.knot_s);
-  MapErrorKnots knots{{times, {}}, {}, {sigma_m, settings.correlation_m, settings.correlation_s, settings.own_share}};
+  MapErrorKnots knots{{times, {}}, {}, {sigma_m, settings.correlation_m, settings.correlation_s}};
   for (int k = 0; k < times.count(); ++k) {
     knots.state.blocks.push_back(walk->graph.AddBlock({kind, k}, times.Time(k), zero));
   }
@@ -171,21 +181,25 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
 }
 
 void ConditionOnPlaces(WalkGraph* walk) {
+  const auto all = [](int) { return true; };
+  ConditionNewOnPlaces(walk->node_ns.back(), all, all, walk);
+}
+
+void ConditionNewOnPlaces(TimeNs now_ns, const std::function<bool(int)>& is_new,
+                          const std::function<bool(int)>& is_known, WalkGraph* walk) {
   for (const MapErrorKnots& knots : walk->map_errors) {
-    const std::vector<KnotPlace> places = KnotPlaces(knots, *walk);
+    const std::vector<int>& blocks = knots.state.blocks;
+    const BlockKind kind = walk->graph.block(blocks.front()).id.kind;
+    const std::vector<KnotPlace> places = KnotPlaces(knots, *walk, now_ns);
     const auto correlation = [&](int a, int b) {
-      const KnotPlace &at = places[static_cast<std::size_t>(a)],
-                      &other = places[static_cast<std::size_t>(b)];
-      if (at.floor != other.floor) return 0.0;
-      return knots.kernel.Correlation(
-          (at.position_m - other.position_m).norm(),
-          SecondsBetween(knots.state.knots.Time(a), knots.state.knots.Time(b)));
+      return is_known(blocks[static_cast<std::size_t>(a)]) ? Correlation(knots, places, a, b) : 0.0;
     };
-    const BlockKind kind = walk->graph.block(knots.state.blocks.front()).id.kind;
-    for (int k = 0; k < knots.state.knots.count(); ++k) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (!is_new(blocks[k])) continue;
+      const int knot = static_cast<int>(k);
       walk->graph.ReplaceFactor(
-          knots.factors[static_cast<std::size_t>(k)],
-          MakeMapErrorFactor(knots, k, ConditionOnEarlier(k, correlation, kMostGiven), kind));
+          knots.factors[k],
+          MakeMapErrorFactor(knots, knot, ConditionOnEarlier(knot, correlation, kMostGiven), kind));
     }
   }
 }

@@ -23,6 +23,11 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
 // different floors are independent, as their maps are.
 void ConditionOnPlaces(WalkGraph* walk);
 
+// The same for the knots of a walk under way: those that `is_new` names among the graph's blocks are
+// conditioned on those that `is_known` names, by the nodes until `now_ns`.
+void ConditionNewOnPlaces(TimeNs now_ns, const std::function<bool(int)>& is_new,
+                          const std::function<bool(int)>& is_known, WalkGraph* walk);
+
 // A standardised Gaussian variable given others: x = weights^T x_given + N(0, variance).
 struct SparseConditional {
   std::vector<int> given;

@@ -26,6 +26,7 @@ struct WindowSettings {
   // agree about it: what is marginalised while the walk may be anywhere stays wrong. Well above the
   // spread of one mode and below that of a floor.
   double located_sigma_m = 20;
+  double map_error_s = 60;  // errors of maps stay this long for who comes back to a place
   bool report_newest = false;  // report a node when it arrives (no lag), not when it leaves
 };
 
@@ -50,6 +51,8 @@ void Visit(Visitor& v, WindowSettings& s) {
   v.Field("hypotheses", s.hypotheses, "hypotheses that the window follows at once at most");
   v.Field("hypothesis_nats", s.hypothesis_nats,
           "a hypothesis this much worse than the best is dropped, nats");
+  v.Field("map_error_s", s.map_error_s,
+          "errors of maps stay in the window this long, for who comes back to a place, s");
   v.Field("located_sigma_m", s.located_sigma_m,
           "no node leaves before the oldest position is known this well over all hypotheses, m");
   v.Field("report_newest", s.report_newest,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -84,10 +85,18 @@ LinearPrior PriorFrom(const Recovery& recovery, const FactorGraph& graph,
   std::vector<double> information;  // square root, by row
   std::vector<double> point;
   std::set<std::pair<BlockKind, int>> seen;
+  TimeNs first_node_ns = std::numeric_limits<TimeNs>::max();
+  for (const int b : blocks) {
+    const StateBlock& block = graph.block(b);
+    if (block.id.kind == BlockKind::kPosition) {
+      first_node_ns = std::min(first_node_ns, block.time_ns);
+    }
+  }
   for (const int b : blocks) {
     const StateBlock& block = graph.block(b);
     const int radio = block.id.kind == BlockKind::kRssiOffset ? block.id.index : 0;
-    if (block.constant || !seen.insert({block.id.kind, radio}).second) continue;
+    const bool first = seen.insert({block.id.kind, radio}).second;
+    if (block.constant || !(first || block.time_ns < first_node_ns)) continue;
     const int other = Counterpart(recovery.walk.graph, block.id, block.time_ns);
     if (other < 0) continue;
     const Eigen::MatrixXd& covariance =

@@ -9,6 +9,7 @@
 
 #include "data/angle.h"
 #include "graph/graph_part.h"
+#include "graph/map_error_states.h"
 #include "graph/posterior.h"
 #include "solvers/evidence_order.h"
 #include "solvers/graph_solver.h"
@@ -65,6 +66,7 @@ void WindowRun::Arrive(std::size_t node) {
     for (const int block : slow_blocks) hypothesis.window.AddBlock(block);
     for (const int block : NodeBlocks(walk_, node)) hypothesis.window.AddBlock(block);
   }
+  ConditionMapErrors(now_ns, slow_blocks);
   const bool last = node + 1 == walk_.node_ns.size();
   AddReadyFactors(now_ns, last);
   const std::size_t first_kept = FirstKeptNode(node);
@@ -147,6 +149,18 @@ void WindowRun::PredictNode(std::size_t node, const std::vector<int>& new_slow_b
   }
 }
 
+// The errors of maps among `blocks`, given earlier ones that the window has, by where the best
+// hypothesis passed them.
+void WindowRun::ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks) {
+  if (blocks.empty()) return;
+  walk_.graph.SetValues(hypotheses_.front().values);
+  const auto is_new = [&blocks](int block) {
+    return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
+  };
+  ConditionNewOnPlaces(now_ns, is_new, [this](int block) { return window().IsActive(block); },
+                       &walk_);
+}
+
 void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
   std::vector<int> still_waiting;
   for (const int factor : waiting_) {
@@ -206,6 +220,8 @@ void WindowRun::Restart(std::size_t node, bool full) {
     hypotheses_.push_back({start_window, std::move(mode.values), std::move(mode.uncertainty),
                            mode.negative_log_mass});
   }
+  ConditionMapErrors(now_ns, start_window.part().blocks);
+  for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
 }
 
 // Whether the oldest node, the first to leave, is known: to the configured sigma, and with less
@@ -312,7 +328,8 @@ std::size_t WindowRun::FirstKeptNode(std::size_t newest) const {
       walk_.node_ns.begin());
 }
 
-// Nodes before the first kept one, and knots that a later one has replaced by its time.
+// Nodes before the first kept one, and knots that a later one has replaced by its time; errors of
+// maps some time later.
 std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
   std::vector<int> leaving;
   for (std::size_t node = oldest_; node < first_kept; ++node) {
@@ -325,7 +342,11 @@ std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
     const auto next = static_cast<std::size_t>(block) + 1;  // knots of a state are added in a row
     if (next == walk_.graph.blocks().size()) continue;
     const StateBlock& successor = walk_.graph.blocks()[next];
-    if (successor.id.kind == state.id.kind && successor.time_ns <= walk_.node_ns[first_kept]) {
+    const bool of_map =
+        state.id.kind == BlockKind::kMapError || state.id.kind == BlockKind::kMagneticError;
+    const TimeNs kept_ns =
+        walk_.node_ns[first_kept] - (of_map ? DurationNs(settings_.map_error_s) : 0);
+    if (successor.id.kind == state.id.kind && successor.time_ns <= kept_ns) {
       leaving.push_back(block);
     }
   }

@@ -51,6 +51,7 @@ class WindowRun {
   void Arrive(std::size_t node);
   void PredictNode(std::size_t node, const std::vector<int>& new_slow_blocks);
   std::vector<int> TakeSlowBlocks(TimeNs now_ns);
+  void ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks);
   void AddReadyFactors(TimeNs now_ns, bool last);
   void Solve(Hypothesis* hypothesis);
   bool StartIsDue(TimeNs now_ns, bool full) const;
