@@ -47,13 +47,27 @@ GraphFactor MakeMapErrorFactor(const MapErrorKnots& knots, int knot,
   }
 }
 
-// Where the walk was while a knot held: the middle of its nodes.
-struct KnotPlace {
-  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
-  int floor = 0;
-};
+double Correlation(const MapErrorKnots& knots, const std::vector<KnotPlace>& places, int a, int b) {
+  const KnotPlace& one = places[static_cast<std::size_t>(a)];
+  const KnotPlace& other = places[static_cast<std::size_t>(b)];
+  if (one.floor != other.floor) return 0;
+  const Knots& times = knots.state.knots;
+  return knots.kernel.Correlation((one.position_m - other.position_m).norm(),
+                                  SecondsBetween(times.Time(a), times.Time(b)));
+}
 
-// By the nodes until `now_ns`, of the knots that hold until then.
+double WalkedBetween(const WalkGraph& walk, TimeNs from_ns, TimeNs to_ns) {
+  const auto walked_until = [&walk](TimeNs time_ns) {
+    const NodeBracket bracket = FindBracket(walk.node_ns, time_ns);
+    const auto before = static_cast<std::size_t>(bracket.before);
+    const double at = walk.walked_m[before];
+    return bracket.fraction > 0 ? at + bracket.fraction * (walk.walked_m[before + 1] - at) : at;
+  };
+  return walked_until(to_ns) - walked_until(from_ns);
+}
+
+}  // namespace
+
 std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& walk,
                                   TimeNs now_ns) {
   const Knots& times = knots.state.knots;
@@ -77,27 +91,6 @@ std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& w
   }
   return places;
 }
-
-double Correlation(const MapErrorKnots& knots, const std::vector<KnotPlace>& places, int a, int b) {
-  const KnotPlace& one = places[static_cast<std::size_t>(a)];
-  const KnotPlace& other = places[static_cast<std::size_t>(b)];
-  if (one.floor != other.floor) return 0;
-  const Knots& times = knots.state.knots;
-  return knots.kernel.Correlation((one.position_m - other.position_m).norm(),
-                                  SecondsBetween(times.Time(a), times.Time(b)));
-}
-
-double WalkedBetween(const WalkGraph& walk, TimeNs from_ns, TimeNs to_ns) {
-  const auto walked_until = [&walk](TimeNs time_ns) {
-    const NodeBracket bracket = FindBracket(walk.node_ns, time_ns);
-    const auto before = static_cast<std::size_t>(bracket.before);
-    const double at = walk.walked_m[before];
-    return bracket.fraction > 0 ? at + bracket.fraction * (walk.walked_m[before + 1] - at) : at;
-  };
-  return walked_until(to_ns) - walked_until(from_ns);
-}
-
-}  // namespace
 
 SparseConditional ConditionOnEarlier(int index, const std::function<double(int, int)>& correlation,
                                      int most) {
@@ -159,7 +152,8 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
   const TimeNs begin_ns = walk->node_ns.front();
   if (settings.mode != StateMode::kActive || sigma_m <= 0) {
-    return {Knots(begin_ns, begin_ns, 1.0), {walk->graph.AddBlock({kind, 0}, begin_ns, zero, true)}};
+    return {Knots(begin_ns, begin_ns, 1.0),
+            {walk->graph.AddBlock({kind, 0}, begin_ns, zero, true)}};
   }
   const Knots times(begin_ns, walk->node_ns.back(), settings.knot_s);
   MapErrorKnots knots{{times, {}}, {}, {sigma_m, settings.correlation_m, settings.correlation_s}};
@@ -173,8 +167,7 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
           WalkedBetween(*walk, times.Time(k - 1), times.Time(k)), settings.knot_s);
       conditional = {{k - 1}, Eigen::VectorXd::Constant(1, rho), 1 - rho * rho};
     }
-    knots.factors.push_back(
-        walk->graph.AddFactor(MakeMapErrorFactor(knots, k, conditional, kind)));
+    knots.factors.push_back(walk->graph.AddFactor(MakeMapErrorFactor(knots, k, conditional, kind)));
   }
   walk->map_errors.push_back(knots);
   return knots.state;

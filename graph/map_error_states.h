@@ -23,10 +23,19 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
 // different floors are independent, as their maps are.
 void ConditionOnPlaces(WalkGraph* walk);
 
-// The same for the knots of a walk under way: those that `is_new` names among the graph's blocks are
-// conditioned on those that `is_known` names, by the nodes until `now_ns`.
+// The same for the knots of a walk under way: those that `is_new` names among the graph's blocks
+// are conditioned on those that `is_known` names, by the nodes until `now_ns`.
 void ConditionNewOnPlaces(TimeNs now_ns, const std::function<bool(int)>& is_new,
                           const std::function<bool(int)>& is_known, WalkGraph* walk);
+
+// Where the walk was while a knot of a map's error held: the middle of its nodes.
+struct KnotPlace {
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
+  int floor = 0;
+};
+
+// By the graph's values, of the knots that began until `now_ns`, each by its nodes until then.
+std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& walk, TimeNs now_ns);
 
 // A standardised Gaussian variable given others: x = weights^T x_given + N(0, variance).
 struct SparseConditional {

@@ -22,8 +22,7 @@ Eigen::MatrixXd CovarianceOf(const LinearFactor& factor, const MarginalCovarianc
     joint.block(row, row, rows, rows) = own;
     Eigen::Index column = row + rows;
     for (std::size_t j = i + 1; j < factor.blocks.size(); ++j) {
-      const Eigen::MatrixXd pair =
-          marginals.Joint(factor.blocks[i], factor.blocks[j])->covariance;
+      const Eigen::MatrixXd pair = marginals.Joint(factor.blocks[i], factor.blocks[j])->covariance;
       const Eigen::Index columns = pair.cols() - rows;
       joint.block(row, column, rows, columns) = pair.topRightCorner(rows, columns);
       joint.block(column, row, columns, rows) = pair.bottomLeftCorner(columns, rows);

@@ -57,8 +57,7 @@ SolveResult SolveGraduated(const GraphPart& part, const SolverSettings& settings
   for (const Truncated& one : truncated) one.loss->SetParabola();
   SolveResult result = SolveGraph(part, settings, graph);
   std::vector<double> excesses = Excesses(truncated, *graph);
-  const double worst =
-      excesses.empty() ? 0.0 : *std::max_element(excesses.begin(), excesses.end());
+  const double worst = excesses.empty() ? 0.0 : *std::max_element(excesses.begin(), excesses.end());
   // Below half of the threshold mu would be negative: nothing is near the cut.
   double mu = 2 * worst > 1 ? std::min(1 / (2 * worst - 1), TruncatedLoss::kFinalMu)
                             : TruncatedLoss::kFinalMu;

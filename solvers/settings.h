@@ -26,7 +26,7 @@ struct WindowSettings {
   // agree about it: what is marginalised while the walk may be anywhere stays wrong. Well above the
   // spread of one mode and below that of a floor.
   double located_sigma_m = 20;
-  double map_error_s = 60;  // errors of maps stay this long for who comes back to a place
+  double map_error_s = 60;     // errors of maps stay this long for who comes back to a place
   bool report_newest = false;  // report a node when it arrives (no lag), not when it leaves
 };
 

@@ -38,8 +38,9 @@ void MoveTo(const Recovery& recovery, const FactorGraph& graph, const std::vecto
             Eigen::VectorXd* values);
 
 // What stands for all that the window has forgotten: the first node, the first knot of every
-// slow state and all from before the first node, each alone, with twice the recovery's sigma, because the window's own evidence took
-// part in that. Precondition: MoveTo(recovery, graph, blocks, values).
+// slow state and all from before the first node, each alone, with twice the recovery's sigma,
+// because the window's own evidence took part in that. Precondition: MoveTo(recovery, graph,
+// blocks, values).
 LinearPrior PriorFrom(const Recovery& recovery, const FactorGraph& graph,
                       const std::vector<int>& blocks, const Eigen::VectorXd& values);
 

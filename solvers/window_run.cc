@@ -157,8 +157,8 @@ void WindowRun::ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks
   const auto is_new = [&blocks](int block) {
     return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
   };
-  ConditionNewOnPlaces(now_ns, is_new, [this](int block) { return window().IsActive(block); },
-                       &walk_);
+  ConditionNewOnPlaces(
+      now_ns, is_new, [this](int block) { return window().IsActive(block); }, &walk_);
 }
 
 void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {

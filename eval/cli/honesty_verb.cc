@@ -14,18 +14,8 @@ DECLARE_int32(seed);
 DECLARE_string(duration_s);
 DEFINE_int32(walks, 200, "number of walks drawn from the graph's own model");
 
-DEFINE_string(map_error, "time",
-              "drawn walks: the radio map's error fades with time, as the graph has it, or belongs "
-              "to each place");
-
 namespace walkgraph {
 namespace {
-
-MapErrorDraw DrawnMapError() {
-  if (FLAGS_map_error == "time") return MapErrorDraw::kTime;
-  if (FLAGS_map_error == "place") return MapErrorDraw::kPlace;
-  throw UsageError("--map_error=" + FLAGS_map_error + ": expected time or place");
-}
 
 double DrawnDuration() {
   constexpr double kDefaultS = 180, kShortestS = 60, kLongestS = 3600;
@@ -51,7 +41,6 @@ int RunHonesty(const CommandLine& line) {
       .walks = FLAGS_walks,
       .duration_s = DrawnDuration(),
       .seed = static_cast<std::uint64_t>(FLAGS_seed),
-      .map_error = DrawnMapError(),
       .out = FLAGS_out,
       .methods = ParseMethods(FLAGS_methods.empty() ? "batch,window" : FLAGS_methods),
       .floor_given = FloorGiven(),
@@ -70,8 +59,8 @@ Verb HonestyVerb() {
           "--out=DIR [--walks=N] | --train=DIR --test=DIR --out=DIR",
           "measure covariances against errors, on walks drawn from the graph's model or on a "
           "data set's",
-          {"out", "walks", "duration_s", "seed", "map_error", "train", "test", "methods", "floor",
-           "lag", "workers", "config", "set"},
+          {"out", "walks", "duration_s", "seed", "train", "test", "methods", "floor", "lag",
+           "workers", "config", "set"},
           RunHonesty};
 }
 

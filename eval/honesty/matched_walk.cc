@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "factors/heading_increment.h"
 #include "factors/position_hold.h"
 #include "factors/step.h"
+#include "graph/map_error_states.h"
 #include "graph/node_times.h"
 #include "graph/walk_graph.h"
 
@@ -42,29 +42,10 @@ BlockLinearization LinearizeBlock(const FactorGraph& graph, const GraphFactor& f
   return {residual, jacobian};
 }
 
-// The map's error as a property of places.
-class PlaceError {
- public:
-  PlaceError(const MapErrorSettings& settings, const Random& random)
-      : sigma_m_(settings.sigma_m),
-        x_(RandomField::Exponential(settings.correlation_m, random.Fork(0))),
-        y_(RandomField::Exponential(settings.correlation_m, random.Fork(1))) {}
-
-  Eigen::Vector2d At(const Eigen::Vector2d& position_m) const {
-    return sigma_m_ * Eigen::Vector2d(x_.At(position_m), y_.At(position_m));
-  }
-
- private:
-  double sigma_m_;
-  RandomField x_, y_;
-};
-
 class WalkSampler {
  public:
-  WalkSampler(const Site& site, const FactorSettings& settings, MapErrorDraw map_error,
-              Evidence inputs, Random random)
+  WalkSampler(const Site& site, const FactorSettings& settings, Evidence inputs, Random random)
       : site_(site), evidence_(std::move(inputs)), random_(random) {
-    if (map_error == MapErrorDraw::kPlace) place_error_.emplace(settings.map_error, random_);
     AddPlaceholders();
     walk_ = BuildWalkGraph(site, evidence_, settings, site.maps.front().floor);
   }
@@ -73,6 +54,7 @@ class WalkSampler {
     DrawSlowStates();
     DrawHeadings();
     DrawPositions();
+    DrawMapErrors();
     DrawAbsoluteHeadings();
     DrawScans();
     return {std::move(evidence_), NodeTruth(), walk_.graph.values(), silent_scans_};
@@ -109,7 +91,8 @@ class WalkSampler {
   void DrawSlowStates() {
     for (const GraphFactor& factor : graph().factors()) {
       const bool slow = std::all_of(factor.blocks.begin(), factor.blocks.end(), [this](int block) {
-        return IsSlowState(graph().block(block).id.kind);
+        const BlockKind kind = graph().block(block).id.kind;
+        return IsSlowState(kind) && kind != BlockKind::kMapError;
       });
       if (slow) Draw(factor, factor.blocks.size() - 1);
     }
@@ -131,6 +114,21 @@ class WalkSampler {
       if (factor.type == kPositionPriorType) Draw(factor, 0);
       if (factor.type == StepFactor::kName) Draw(factor, 2);
       if (factor.type == PositionHoldFactor::kName) Draw(factor, 1);
+    }
+  }
+
+  // A field over the floor, at the places of the knots.
+  void DrawMapErrors() {
+    for (const MapErrorKnots& knots : walk_.map_errors) {
+      const double length_m = knots.kernel.correlation_m;
+      const auto x = RandomField::Exponential(length_m, random_.Fork(0));
+      const auto y = RandomField::Exponential(length_m, random_.Fork(1));
+      const std::vector<KnotPlace> places = KnotPlaces(knots, walk_, walk_.node_ns.back());
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        double* error_m = graph().value(knots.state.blocks[k]);
+        error_m[0] = knots.kernel.sigma_m * x.At(places[k].position_m);
+        error_m[1] = knots.kernel.sigma_m * y.At(places[k].position_m);
+      }
     }
   }
 
@@ -161,9 +159,7 @@ class WalkSampler {
     const RadioMap& map = site_.maps.front();
     const std::size_t blocks = factor.blocks.size();
     const Eigen::Vector2d position = PositionAt(time_ns);
-    const Eigen::Vector2d map_error =
-        place_error_ ? place_error_->At(position)
-                     : Eigen::Map<const Eigen::Vector2d>(graph().value(factor.blocks[blocks - 2]));
+    const Eigen::Map<const Eigen::Vector2d> map_error(graph().value(factor.blocks[blocks - 2]));
     const double offset_db = *graph().value(factor.blocks[blocks - 1]);
     const FieldBasis basis = EvaluateBasis(map.grid, position + map_error);
     for (std::size_t i = 0; i < map.fields.size(); ++i) {
@@ -200,7 +196,6 @@ class WalkSampler {
   const Site& site_;
   Evidence evidence_;
   Random random_;
-  std::optional<PlaceError> place_error_;  // none: the graph's own process
   WalkGraph walk_;
   int silent_scans_ = 0;
 };
@@ -223,10 +218,10 @@ Settings MatchedSettings() {
   return settings;
 }
 
-MatchedWalk DrawMatchedWalk(const Site& site, const FactorSettings& settings,
-                            MapErrorDraw map_error, double duration_s, Random random) {
+MatchedWalk DrawMatchedWalk(const Site& site, const FactorSettings& settings, double duration_s,
+                            Random random) {
   Evidence inputs = PlanInputs(duration_s, &random);
-  return WalkSampler(site, settings, map_error, std::move(inputs), random).Sample();
+  return WalkSampler(site, settings, std::move(inputs), random).Sample();
 }
 
 }  // namespace walkgraph

@@ -15,8 +15,9 @@ namespace walkgraph {
 //
 // The inputs (when steps fall, how long they are, what the gyroscope integrates) are planned
 // without knowing the walk. States are drawn from the factors of the graph that these inputs make,
-// each from its factor's own density given those before it; compass headings and scans then from
-// the absolute-heading, fingerprint and hearing factors at these states.
+// each from its factor's own density given those before it; the map's error is a field over the
+// floor, drawn anew for every walk, which all scans at a place share; compass headings and scans
+// come from the absolute-heading, fingerprint and hearing factors at these states.
 struct MatchedWalk {
   Evidence evidence;
   Truth truth;             // a waypoint per node
@@ -24,23 +25,14 @@ struct MatchedWalk {
   int silent_scans = 0;    // heard nothing and are no evidence: the model's one omission
 };
 
-// Where the error of the radio map comes from in drawn walks.
-enum class MapErrorDraw {
-  kTime,   // the graph's own process: it fades with time, also of a person who comes back
-  kPlace,  // a field over the floor that all scans of a walk at a place share, whose correlation
-           // falls with distance as the graph's falls with the time of walking it
-};
-
 // The settings under which densities are exact: robust losses off (they are no densities that
 // readings follow), every reading of a scan counted (n_eff: they are drawn independently), the
 // walk's start as uncertain as it is drawn, a gyroscope bias that leaves the walk inside the site.
 Settings MatchedSettings();
 
-// `settings` are those of the estimators. With MapErrorDraw::kPlace `values` still hold map errors
-// of the graph's process, which no reading follows. Precondition: the site has one floor with a
-// Wi-Fi map.
-MatchedWalk DrawMatchedWalk(const Site& site, const FactorSettings& settings,
-                            MapErrorDraw map_error, double duration_s, Random random);
+// `settings` are those of the estimators. Precondition: the site has one floor with a Wi-Fi map.
+MatchedWalk DrawMatchedWalk(const Site& site, const FactorSettings& settings, double duration_s,
+                            Random random);
 
 }  // namespace walkgraph
 

@@ -20,6 +20,7 @@
 #include "eval/parallel.h"
 #include "eval/progress.h"
 #include "eval/run_folder.h"
+#include "graph/map_error_states.h"
 #include "graph/statistics.h"
 #include "graph/walk_graph.h"
 
@@ -45,6 +46,7 @@ std::vector<ResidualStatistics> StatisticsAtTruth(const Site& site, const Factor
                                                   const MatchedWalk& drawn) {
   WalkGraph walk = BuildWalkGraph(site, drawn.evidence, settings, *drawn.evidence.floor);
   walk.graph.SetValues(drawn.values);
+  ConditionOnPlaces(&walk);
   return ComputeStatistics(walk.graph);
 }
 
@@ -70,8 +72,8 @@ HonestyResult MeasureDrawn(const HonestyOptions& options) {
   std::vector<std::vector<ResidualStatistics>> at_truth(names.size());
   Progress progress(options.walks, "walks", options.out + "/run/progress");
   ParallelFor(options.workers, names.size(), options.stopped, [&](std::size_t i) {
-    const MatchedWalk drawn = DrawMatchedWalk(site, settings.factors, options.map_error,
-                                              options.duration_s, random.Fork(i + 1));
+    const MatchedWalk drawn =
+        DrawMatchedWalk(site, settings.factors, options.duration_s, random.Fork(i + 1));
     at_truth[i] = StatisticsAtTruth(site, settings.factors, drawn);
     for (std::size_t m = 0; m < estimators.size(); ++m) {
       result.outcomes[m][i] = Measure(*estimators[m], site, drawn.evidence, drawn.truth, 0);

@@ -16,10 +16,9 @@ struct HonestyOptions {
   // Walks to test on and to train on; both empty: walks drawn from the graph's own model.
   std::string train;
   std::string test;
-  int walks = 200;                               // drawn
-  double duration_s = 180;                       // of each drawn walk, at least
-  std::uint64_t seed = 1;                        // of the drawn walks
-  MapErrorDraw map_error = MapErrorDraw::kTime;  // of the drawn walks
+  int walks = 200;          // drawn
+  double duration_s = 180;  // of each drawn walk, at least
+  std::uint64_t seed = 1;   // of the drawn walks
   std::string out;
   std::vector<const Method*> methods;
   bool floor_given = true;

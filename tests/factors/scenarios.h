@@ -191,7 +191,9 @@ struct Scenario<MapErrorFactor<2>> : StructScenario<MapErrorFactor<2>> {
 
  private:
   Blocks Draw(Random* random, double sigma_m) const {
-    const auto draw = [random](double s) { return Eigen::Vector2d(Normal(random, s), Normal(random, s)); };
+    const auto draw = [random](double s) {
+      return Eigen::Vector2d(Normal(random, s), Normal(random, s));
+    };
     const Eigen::Vector2d first = draw(3), second = draw(3);
     return {first, second,
             factor.weight[0] * first + factor.weight[1] * second + draw(1) * sigma_m};
