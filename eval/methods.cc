@@ -12,6 +12,7 @@
 #include "solvers/baselines/tcpf/tcpf.h"
 #include "solvers/baselines/viterbi.h"
 #include "solvers/batch_smoother.h"
+#include "solvers/floor_by_floor.h"
 #include "solvers/lagged_batch.h"
 #include "solvers/window_smoother.h"
 
@@ -29,7 +30,16 @@ const Method* FindMethod(const std::string& name) {
 }
 
 Method Describe(const MethodDescription& description, decltype(Method::make) make) {
-  return {std::string(description.name), description, std::move(make)};
+  return {std::string(description.name), description, std::move(make), false};
+}
+
+// A method that knows one floor only.
+Method DescribeFloorwise(const MethodDescription& description, decltype(Method::make) make) {
+  return {std::string(description.name), description,
+          [make = std::move(make)](const Settings& s) {
+            return std::make_unique<FloorByFloor>(make(s), s.factors);
+          },
+          true};
 }
 
 template <typename Method>
@@ -72,27 +82,27 @@ std::vector<Method> SimpleMethods() {
                [](const Settings& s) {
                  return Own(DeadReckoningEstimator(s.baselines.pdr, s.baselines.wknn, s.factors));
                }),
-      Describe(kMleDescription,
-               [](const Settings& s) {
-                 return Own(MleEstimator(s.baselines.mle, s.baselines.wknn, s.factors));
-               }),
-      Describe(kHipeFilterDescription,
-               [](const Settings& s) {
-                 return Own(HipeEstimator(HipeSolver::kFilter, s.baselines.hipe, s.baselines.wknn,
-                                          s.factors));
-               }),
-      Describe(kHipeViterbiDescription,
-               [](const Settings& s) {
-                 return Own(HipeEstimator(HipeSolver::kViterbi, s.baselines.hipe, s.baselines.wknn,
-                                          s.factors));
-               }),
+      DescribeFloorwise(kMleDescription,
+                        [](const Settings& s) {
+                          return Own(MleEstimator(s.baselines.mle, s.baselines.wknn, s.factors));
+                        }),
+      DescribeFloorwise(kHipeFilterDescription,
+                        [](const Settings& s) {
+                          return Own(HipeEstimator(HipeSolver::kFilter, s.baselines.hipe,
+                                                   s.baselines.wknn, s.factors));
+                        }),
+      DescribeFloorwise(kHipeViterbiDescription,
+                        [](const Settings& s) {
+                          return Own(HipeEstimator(HipeSolver::kViterbi, s.baselines.hipe,
+                                                   s.baselines.wknn, s.factors));
+                        }),
   };
 }
 
 std::vector<Method> TcpfMethods() {
   std::vector<Method> methods;
   for (const TcpfMethod& method : kTcpfMethods) {
-    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+    methods.push_back(DescribeFloorwise(method.description, [&method](const Settings& s) {
       const BaselineSettings& b = s.baselines;
       return Own(TcpfEstimator(method, b.tcpf, b.pdr, b.wknn, s.factors));
     }));
@@ -103,7 +113,7 @@ std::vector<Method> TcpfMethods() {
 std::vector<Method> AhfMethods() {
   std::vector<Method> methods;
   for (const AhfMethod& method : kAhfMethods) {
-    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+    methods.push_back(DescribeFloorwise(method.description, [&method](const Settings& s) {
       return Own(AhfEstimator(method, s.baselines.ahf, s.baselines.wknn, s.factors));
     }));
   }
@@ -123,7 +133,7 @@ std::vector<Method> DsffMethods() {
 std::vector<Method> MufafMethods() {
   std::vector<Method> methods;
   for (const MufafMethod& method : kMufafMethods) {
-    methods.push_back(Describe(method.description, [&method](const Settings& s) {
+    methods.push_back(DescribeFloorwise(method.description, [&method](const Settings& s) {
       return Own(MufafEstimator(method, s.baselines.mufaf, s.baselines.wknn, s.factors));
     }));
   }

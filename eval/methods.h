@@ -18,6 +18,7 @@ struct Method {
   std::string name;  // [a-z0-9_]+
   MethodDescription description;
   std::function<std::unique_ptr<Estimator>(const Settings&)> make;
+  bool floor_by_floor = false;  // it knows one floor, see FloorByFloor
 };
 
 // Every method, in the order in which tables list them.

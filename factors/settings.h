@@ -99,7 +99,7 @@ struct MapErrorSettings {
   double correlation_m = 20;
   double correlation_s = 150;
   double knot_s = 5;
-  bool grows = true;  // away from the survey, as calibrated
+  bool grows = false;  // away from the survey, as calibrated
 };
 
 struct RssiOffsetSettings {

@@ -29,6 +29,9 @@ int RunMethods(const CommandLine& line) {
     Print(method.name, text.summary);
     Print("", text.source);
     if (!text.own_choices.empty()) Print("  our choice:", text.own_choices);
+    if (method.floor_by_floor) {
+      Print("  several floors:", "anew on every stay, the floors those of `viterbi` (our choice)");
+    }
   }
   return kExitOk;
 }
