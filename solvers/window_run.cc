@@ -220,6 +220,7 @@ void WindowRun::Restart(std::size_t node, bool full) {
     hypotheses_.push_back({start_window, std::move(mode.values), std::move(mode.uncertainty),
                            mode.negative_log_mass});
   }
+  if (walk_.map_errors.empty()) return;
   ConditionMapErrors(now_ns, start_window.part().blocks);
   for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
 }
