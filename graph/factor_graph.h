@@ -32,7 +32,7 @@ struct GraphFactor {
   // An inequality: it moves the mode and is left out of linear systems, for a border tells on which
   // side of it a pose is and not how far from it.
   bool one_sided = false;
-  std::vector<int> blocks;         // in the order of the cost function's arguments
+  std::vector<int> blocks;  // in the order of the cost function's arguments
   std::unique_ptr<ceres::CostFunction> cost;
   std::unique_ptr<ceres::LossFunction> loss;  // none: the parabola
   // -log density = 1/2 rho(|residual|^2) + log_normaliser, nats.
