@@ -19,7 +19,8 @@ class FloorByFloor : public Estimator {
       : method_(std::move(method)), factors_(factors) {}
 
   std::string_view name() const override { return method_->name(); }
-  // `ok` if the method found its way on any floor, else the status of the longest stay.
+  // `ok` if the method found its way on any stay, else what it says of the whole walk on the floor
+  // of the longest one.
   EstimateResult Estimate(const Site& site, const Evidence& evidence) const override;
 
  private:

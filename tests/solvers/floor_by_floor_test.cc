@@ -13,7 +13,7 @@ namespace {
 
 using testing::TwoFloors;
 
-// Says that the walk stood at (floor, seconds seen), and on which evidence it was asked.
+// Says that the walk stood at (floor, 0), and keeps the evidence on which it was asked.
 class Probe : public Estimator {
  public:
   Probe(std::vector<Evidence>* asked, EstimateStatus status) : asked_(asked), status_(status) {}
