@@ -92,7 +92,7 @@ int UpdateSurveyedSite(const SiteUpdateOptions& options) {
       ParseMethods(graph ? "batch" : "mufaf_ksgf").front()->make(settings);
   std::vector<LocatedWalk> located = LoadAll(options, site, settings);
   Site updated = site;
-  for (int round = 0; round < (graph ? settings.map_change.rounds : 1); ++round) {
+  for (int round = 0; round < settings.map_change.rounds; ++round) {
     Locate(options, updated, *estimator, &located);
     if (options.learn.stopped()) return kExitInterrupted;
     const std::vector<SurveyWalk> walks = WalksToLearn(located, !graph);
@@ -110,7 +110,8 @@ int UpdateSurveyedSite(const SiteUpdateOptions& options) {
                                                         : MapInterpolation::kCovariance;
     CellUpdate update = UpdateSiteByCells(site, walks, settings.radio_map, settings.baselines.mufaf,
                                           settings.baselines.wknn);
-    std::printf("%d of %d scans taken into the map\n", update.taken, update.offered);
+    std::printf("%d of %d scans taken into the map, %d retired\n", update.taken, update.offered,
+                update.retired);
     updated = std::move(update.site);
   }
   WriteSiteFile(updated, options.learn.out);

@@ -56,15 +56,79 @@ double Correlation(const MapErrorKnots& knots, const std::vector<KnotPlace>& pla
                                   SecondsBetween(times.Time(a), times.Time(b)));
 }
 
-double WalkedBetween(const WalkGraph& walk, TimeNs from_ns, TimeNs to_ns) {
-  const auto walked_until = [&walk](TimeNs time_ns) {
-    const NodeBracket bracket = FindBracket(walk.node_ns, time_ns);
-    const auto before = static_cast<std::size_t>(bracket.before);
-    const double at = walk.walked_m[before];
-    return bracket.fraction > 0 ? at + bracket.fraction * (walk.walked_m[before + 1] - at) : at;
+// Chooses one after the other the variables that tell most of one of unit variance.
+class NeighbourSearch {
+ public:
+  NeighbourSearch(int index, const std::function<double(int, int)>& correlation)
+      : correlation_(correlation) {
+    constexpr double kLeastCorrelation = 0.02;
+    for (int i = 0; i < index; ++i) {
+      const double with_own = correlation(i, index);
+      if (with_own > kLeastCorrelation) candidates_.push_back({i, {}, with_own});
+    }
+  }
+
+  const SparseConditional& found() const { return found_; }
+
+  // Takes the next one; false where none takes its share of what is left.
+  bool Add() {
+    constexpr double kLeastShare = 0.01;
+    const Eigen::LDLT<Eigen::MatrixXd> among(among_);
+    auto best = candidates_.end();
+    double largest_gain = kLeastShare * found_.variance;
+    for (auto candidate = candidates_.begin(); candidate != candidates_.end(); ++candidate) {
+      const double gain = Gain(*candidate, among);
+      if (gain <= largest_gain) continue;
+      largest_gain = gain;
+      best = candidate;
+    }
+    if (best == candidates_.end()) return false;
+    Take(*best);
+    candidates_.erase(best);
+    for (Candidate& candidate : candidates_) {
+      candidate.with_given.conservativeResize(own_.size());
+      candidate.with_given[own_.size() - 1] = correlation_(candidate.index, found_.given.back());
+    }
+    return true;
+  }
+
+ private:
+  struct Candidate {
+    int index;
+    Eigen::VectorXd with_given;  // correlations with those chosen so far
+    double with_own;
   };
-  return walked_until(to_ns) - walked_until(from_ns);
-}
+
+  // What a candidate takes of the variance that those chosen leave.
+  double Gain(const Candidate& candidate, const Eigen::LDLT<Eigen::MatrixXd>& among) const {
+    double left = 1, together = candidate.with_own;  // given the chosen
+    if (!found_.given.empty()) {
+      const Eigen::VectorXd weights = among.solve(candidate.with_given);
+      left -= weights.dot(candidate.with_given);
+      together -= weights.dot(own_);
+    }
+    return left < kLeastVariance ? 0 : together * together / left;
+  }
+
+  void Take(const Candidate& candidate) {
+    const Eigen::Index chosen = own_.size();
+    among_.conservativeResize(chosen + 1, chosen + 1);
+    among_(chosen, chosen) = 1;
+    among_.col(chosen).head(chosen) = candidate.with_given;
+    among_.row(chosen).head(chosen) = candidate.with_given.transpose();
+    own_.conservativeResize(chosen + 1);
+    own_[chosen] = candidate.with_own;
+    found_.given.push_back(candidate.index);
+    found_.weights = among_.ldlt().solve(own_);
+    found_.variance = 1 - found_.weights.dot(own_);
+  }
+
+  const std::function<double(int, int)>& correlation_;
+  std::vector<Candidate> candidates_;
+  SparseConditional found_;
+  Eigen::MatrixXd among_;  // correlations of the chosen
+  Eigen::VectorXd own_;    // theirs with the variable
+};
 
 }  // namespace
 
@@ -94,57 +158,9 @@ std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& w
 
 SparseConditional ConditionOnEarlier(int index, const std::function<double(int, int)>& correlation,
                                      int most) {
-  constexpr double kLeastCorrelation = 0.02, kLeastShare = 0.01;
-  struct Candidate {
-    int index;
-    Eigen::VectorXd with_given;  // correlations with those chosen so far
-    double with_own;
-  };
-  std::vector<Candidate> candidates;
-  for (int i = 0; i < index; ++i) {
-    const double with_own = correlation(i, index);
-    if (with_own > kLeastCorrelation) candidates.push_back({i, {}, with_own});
-  }
-  SparseConditional result;
-  Eigen::MatrixXd among;  // correlations of the chosen
-  Eigen::VectorXd own;    // theirs with the variable
-  for (int chosen = 0; chosen < most; ++chosen) {
-    const Eigen::LDLT<Eigen::MatrixXd> ldlt(among);
-    const Candidate* best = nullptr;  // of `candidates`
-    double largest_gain = kLeastShare * result.variance;
-    for (const Candidate& candidate : candidates) {
-      double left = 1, together = candidate.with_own;  // given the chosen
-      if (chosen > 0) {
-        const Eigen::VectorXd weights = ldlt.solve(candidate.with_given);
-        left -= weights.dot(candidate.with_given);
-        together -= weights.dot(own);
-      }
-      if (left < kLeastVariance) continue;
-      const double gain = together * together / left;
-      if (gain > largest_gain) {
-        largest_gain = gain;
-        best = &candidate;
-      }
-    }
-    if (best == nullptr) break;
-    result.given.push_back(best->index);
-    among.conservativeResize(chosen + 1, chosen + 1);
-    among(chosen, chosen) = 1;
-    if (chosen > 0) {
-      among.col(chosen).head(chosen) = best->with_given;
-      among.row(chosen).head(chosen) = best->with_given.transpose();
-    }
-    own.conservativeResize(chosen + 1);
-    own[chosen] = best->with_own;
-    candidates.erase(candidates.begin() + (best - candidates.data()));
-    for (Candidate& candidate : candidates) {
-      candidate.with_given.conservativeResize(chosen + 1);
-      candidate.with_given[chosen] = correlation(candidate.index, result.given.back());
-    }
-    result.weights = among.ldlt().solve(own);
-    result.variance = 1 - result.weights.dot(own);
-  }
-  return result;
+  NeighbourSearch search(index, correlation);
+  for (int i = 0; i < most && search.Add(); ++i) continue;
+  return search.found();
 }
 
 KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
@@ -164,7 +180,9 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
     SparseConditional conditional;
     if (k > 0 && walk->floors.At(times.Time(k - 1)) == walk->floors.At(times.Time(k))) {
       const double rho = knots.kernel.Correlation(
-          WalkedBetween(*walk, times.Time(k - 1), times.Time(k)), settings.knot_s);
+          Interpolate(walk->walked_m, times.Time(k)) -
+              Interpolate(walk->walked_m, times.Time(k - 1)),
+          settings.knot_s);
       conditional = {{k - 1}, Eigen::VectorXd::Constant(1, rho), 1 - rho * rho};
     }
     knots.factors.push_back(walk->graph.AddFactor(MakeMapErrorFactor(knots, k, conditional, kind)));

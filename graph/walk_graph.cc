@@ -81,10 +81,10 @@ class WalkGraphBuilder {
         AddRandomWalkState({BlockKind::kStepScale, stepped ? s.mode : StateMode::kAbsent, 1.0,
                             s.prior_mean, s.prior_sigma, s.walk_per_sqrt_s, s.knot_s},
                            begin_ns(), end_ns(), &walk_.graph);
-    walk_.walked_m.push_back(0);
+    walk_.walked_m = {walk_.node_ns, {0.0}};
     for (std::size_t i = 0; i < motions.size(); ++i) {
       const NodeMotion& motion = motions[i];
-      walk_.walked_m.push_back(walk_.walked_m.back() + motion.length_m);
+      walk_.walked_m.value.push_back(walk_.walked_m.value.back() + motion.length_m);
       const int p0 = walk_.position[i], p1 = walk_.position[i + 1];
       if (motion.stepped) {
         Add(MakeGraphFactor(

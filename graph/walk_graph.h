@@ -40,7 +40,7 @@ struct WalkGraph {
   // Block of each node; empty where the walk stays on one level and no barometer ran.
   std::vector<int> height;
   std::vector<double> level_m;            // of each node: height of its floor, the building's
-  std::vector<double> walked_m;           // until each node, by the steps alone
+  Stream<double> walked_m;                // until each node, by the steps alone
   std::vector<MapErrorKnots> map_errors;  // of the maps that are known to err
   // When the first evidence of a place arrived (a scan that the map knows, an anchor); none: never.
   std::optional<TimeNs> first_absolute_position_ns;

@@ -60,7 +60,8 @@ WalkGraph TwoRounds(const FloorPath& floors, double correlation_s) {
   Vector2d position(0, 0);
   for (int i = 0; i <= 160; ++i) {
     walk.node_ns.push_back(i * kNsPerSecond);
-    walk.walked_m.push_back(i);
+    walk.walked_m.time_ns.push_back(walk.node_ns.back());
+    walk.walked_m.value.push_back(i);
     walk.position.push_back(
         walk.graph.AddBlock({BlockKind::kPosition, i}, walk.node_ns.back(), position));
     position += sides[i / 20 % 4];

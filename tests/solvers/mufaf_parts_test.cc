@@ -70,9 +70,22 @@ TEST(CellMap, KernelsFarFromEveryCellStayFinite) {
 
 TEST(CellMap, NewSamplesMoveTheMean) {
   CellMap map = Line({{0, -60}, {1, -70}});
-  map.AddSample(0, Scalar(-71));
+  map.AddSample(0, Scalar(-71), 0);
   EXPECT_NEAR(map.mean_dbm()(0, 0), -61, 1e-12);  // the eleventh sample
   EXPECT_EQ(map.NearestCell({0.6, 3}), 1);
+}
+
+// A transmitter that lost 10 dB: a cell that keeps its ten old samples is 5 dB behind after ten new
+// ones, one that remembers four has all but forgotten them.
+TEST(CellMap, AMemoryForgets) {
+  CellMap keeps = Line({{0, -60}, {1, -70}}), forgets = keeps;
+  for (int i = 0; i < 10; ++i) {
+    keeps.AddSample(0, Scalar(-70), 0);
+    forgets.AddSample(0, Scalar(-70), 4);
+  }
+  EXPECT_NEAR(keeps.mean_dbm()(0, 0), -65, 1e-12);
+  EXPECT_NEAR(forgets.mean_dbm()(0, 0), -70 + 10 * std::pow(0.75, 10), 1e-12);
+  EXPECT_EQ(forgets.mean_dbm()(0, 1), -70);
 }
 
 TEST(SphericalVariogram, KrigingOfTwoData) {

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "frontends/radio_map/survey_scans.h"
 #include "solvers/baselines/mufaf/site_update.h"
 #include "solvers/synthetic_site.h"
 
@@ -125,10 +128,27 @@ TEST(MufafUpdate, TakesScansByTheThreshold) {
   EXPECT_GT(none.offered, 50);
   EXPECT_EQ(none.site.scans.size(), synthetic.site.scans.size());
   settings.update.threshold_db = 1e3;
+  settings.update.memory = 0;
   const CellUpdate all = UpdateSiteByCells(synthetic.site, {walk}, {}, settings, {});
   EXPECT_EQ(all.taken, all.offered);
+  EXPECT_EQ(all.retired, 0);
   EXPECT_EQ(all.site.scans.size(),
             synthetic.site.scans.size() + static_cast<std::size_t>(all.taken));
+
+  // Cells that remember one sample: the last scan taken there, or where none was the survey's.
+  settings.update.memory = 1;
+  const CellUpdate last = UpdateSiteByCells(synthetic.site, {walk}, {}, settings, {});
+  EXPECT_EQ(last.taken, last.offered);
+  EXPECT_EQ(last.site.scans.size(), synthetic.site.scans.size() +
+                                        static_cast<std::size_t>(last.taken) -
+                                        static_cast<std::size_t>(last.retired));
+  std::set<std::pair<float, float>> places;
+  for (const SurveyScan& scan : last.site.scans) {
+    if (scan.walk < NextWalk(synthetic.site)) continue;
+    const Eigen::Vector2f at = scan.readings.front().position_m;
+    EXPECT_TRUE(places.insert({at.x(), at.y()}).second) << "two scans in a cell of one";
+  }
+  EXPECT_GT(places.size(), 5U);
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ void CellMap::AddCell(const Eigen::Vector2d& center_m, const Eigen::VectorXd& me
   count_.push_back(count);
 }
 
-void CellMap::AddSample(Eigen::Index cell, const Eigen::VectorXd& rssi_dbm) {
+void CellMap::AddSample(Eigen::Index cell, const Eigen::VectorXd& rssi_dbm, int memory) {
   double& count = count_[static_cast<std::size_t>(cell)];
-  ++count;
+  count = memory > 0 ? std::min(count + 1, static_cast<double>(memory)) : count + 1;
   mean_dbm_.col(cell) += (rssi_dbm - mean_dbm_.col(cell)) / count;
 }
 

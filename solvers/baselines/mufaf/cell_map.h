@@ -29,8 +29,9 @@ class CellMap {
   // A cell of `count` samples (>= 1) whose means and variances by anchor are given.
   void AddCell(const Eigen::Vector2d& center_m, const Eigen::VectorXd& mean_dbm,
                const Eigen::VectorXd& variance_db2, double count);
-  // One more sample of a cell: its means are those of all its samples.
-  void AddSample(Eigen::Index cell, const Eigen::VectorXd& rssi_dbm);
+  // One more sample of a cell: its means are those of all its samples, or with a `memory` (> 0) of
+  // about the last so many: a new one then has a share of 1 / memory at least.
+  void AddSample(Eigen::Index cell, const Eigen::VectorXd& rssi_dbm, int memory);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(centers_m_.size()); }
   Eigen::Index anchors() const { return anchors_; }

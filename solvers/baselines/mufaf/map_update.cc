@@ -66,7 +66,7 @@ bool AdaptiveCellMap::Offer(const Eigen::Vector2d& position_m, const Eigen::Vect
   const Eigen::VectorXd known = SignalsAt(position_m);
   if (!((known - rssi_dbm).norm() < settings_.threshold_db)) return false;
   map_.AddSample(map_.NearestCell(position_m),
-                 settings_.store == StoreRule::kObserved ? rssi_dbm : known);
+                 settings_.store == StoreRule::kObserved ? rssi_dbm : known, settings_.memory);
   if (++since_fit_ >= settings_.refit_every) FitVariograms();
   return true;
 }

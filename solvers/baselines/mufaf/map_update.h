@@ -27,6 +27,7 @@ struct MapUpdateSettings {
   int neighbours = 6;
   int lags = 8;
   int refit_every = 50;
+  int memory = 0;
 };
 
 template <typename Visitor>
@@ -40,6 +41,19 @@ void Visit(Visitor& v, MapUpdateSettings& s) {
   v.Field("lags", s.lags, "bins of the measured semivariogram (our choice)");
   v.Field("refit_every", s.refit_every,
           "samples after which the semivariograms are measured anew (our choice)");
+  v.Field("memory", s.memory,
+          "samples that a cell remembers: an older one goes for every one that is taken beyond; 0 "
+          "keeps all (the paper)");
+}
+
+// For a whole site's scans (our choice). The paper's threshold is a norm over four anchors that are
+// always heard; over the dozens of transmitters of a building, each scattering by some dB, no scan
+// is under it. And where transmitters have changed, what a cell remembers of before is wrong.
+constexpr MapUpdateSettings SiteMapUpdate() {
+  MapUpdateSettings settings;
+  settings.threshold_db = 1000;
+  settings.memory = 6;
+  return settings;
 }
 
 // A cell map that learns from targets it has located (AFU, the adaptive fingerprint update).

@@ -24,7 +24,7 @@ struct MufafSettings {
   double input_mps2 = 0;
   double alpha = 0.3;
   double fix_error_m = 0;
-  MapUpdateSettings update;
+  MapUpdateSettings update = SiteMapUpdate();
 };
 
 template <typename Visitor>

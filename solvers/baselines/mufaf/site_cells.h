@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_SOLVERS_BASELINES_MUFAF_SITE_CELLS_H_
 #define WALKGRAPH_SOLVERS_BASELINES_MUFAF_SITE_CELLS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -22,6 +23,8 @@ class SiteCells {
             double missing_dbm);
 
   const CellMap& map() const { return map_; }
+  // Indices of the scans of the site that are each cell's samples.
+  const std::vector<std::vector<std::size_t>>& scans() const { return scans_; }
   // The anchor that a transmitter of the site is, or -1.
   std::int32_t AnchorOf(std::uint32_t transmitter) const { return anchor_[transmitter]; }
   // A scan as signals of the anchors; none where it heard no anchor.
@@ -31,6 +34,7 @@ class SiteCells {
   std::vector<std::int32_t> anchor_;  // of each transmitter of the site, or -1
   double missing_dbm_;
   CellMap map_;
+  std::vector<std::vector<std::size_t>> scans_;
 };
 
 }  // namespace walkgraph

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "frontends/radio_map/survey_scans.h"
 #include "solvers/baselines/mufaf/map_update.h"
@@ -24,9 +27,16 @@ class CellFeeder {
         settings_(settings),
         wknn_(wknn),
         cells_(site, floor, radio, settings.cell_m, wknn.max_age_s, wknn.missing_dbm),
-        adaptive_(cells_.map(), settings.update) {}
+        adaptive_(cells_.map(), settings.update) {
+    for (const std::vector<std::size_t>& scans : cells_.scans()) {
+      samples_.emplace_back(scans.begin(), scans.end());
+    }
+  }
 
-  void Feed(const SurveyWalk& walk, std::uint32_t number, CellUpdate* update) {
+  // Appends the scans that are taken to the site, and the indices of those that they replace to
+  // `retired`.
+  void Feed(const SurveyWalk& walk, std::uint32_t number, CellUpdate* update,
+            std::set<std::size_t>* retired) {
     if (cells_.map().size() < 2) return;
     for (const QueryScan& scan :
          CollectQueryScans(site_, *walk.evidence, wknn_.max_age_s, radio_)) {
@@ -38,14 +48,25 @@ class CellFeeder {
       const Eigen::VectorXd known = adaptive_.SignalsAt(at);
       if (!adaptive_.Offer(at, *signals)) continue;
       ++update->taken;
-      update->site.scans.push_back(ScanAt(at, scan, known, number));
+      const auto cell = static_cast<std::size_t>(adaptive_.map().NearestCell(at));
+      Remember(cell, update->site.scans.size(), retired);
+      update->site.scans.push_back(ScanAt(cell, scan, known, number));
     }
   }
 
  private:
-  SurveyScan ScanAt(const Eigen::Vector2d& at, const QueryScan& scan, const Eigen::VectorXd& known,
+  void Remember(std::size_t cell, std::size_t scan, std::set<std::size_t>* retired) {
+    std::deque<std::size_t>& samples = samples_[cell];
+    samples.push_back(scan);
+    if (settings_.update.memory <= 0) return;
+    while (samples.size() > static_cast<std::size_t>(settings_.update.memory)) {
+      retired->insert(samples.front());
+      samples.pop_front();
+    }
+  }
+
+  SurveyScan ScanAt(std::size_t cell, const QueryScan& scan, const Eigen::VectorXd& known,
                     std::uint32_t walk) const {
-    const auto cell = static_cast<std::size_t>(adaptive_.map().NearestCell(at));
     const Eigen::Vector2f center = adaptive_.map().centers_m()[cell].cast<float>();
     SurveyScan added;
     added.printed_ns = scan.time_ns;
@@ -73,7 +94,16 @@ class CellFeeder {
   const WknnSettings& wknn_;
   SiteCells cells_;
   AdaptiveCellMap adaptive_;
+  std::vector<std::deque<std::size_t>> samples_;  // scans of the site that each cell remembers
 };
+
+void EraseScans(const std::set<std::size_t>& indices, std::vector<SurveyScan>* scans) {
+  std::vector<SurveyScan> kept;
+  for (std::size_t i = 0; i < scans->size(); ++i) {
+    if (!indices.contains(i)) kept.push_back(std::move((*scans)[i]));
+  }
+  *scans = std::move(kept);
+}
 
 }  // namespace
 
@@ -81,16 +111,19 @@ CellUpdate UpdateSiteByCells(const Site& site, const std::vector<SurveyWalk>& wa
                              const TrainerSettings& trainer, const MufafSettings& settings,
                              const WknnSettings& wknn) {
   CellUpdate update{site};
+  std::set<std::size_t> retired;
   for (const int floor : site.SurveyedFloors()) {
     for (const Radio radio : kAllRadios) {
       CellFeeder feeder(site, floor, radio, settings, wknn);
       std::uint32_t number = NextWalk(site);
       for (const SurveyWalk& walk : walks) {
-        if (!walk.trajectory.empty()) feeder.Feed(walk, number, &update);
+        if (!walk.trajectory.empty()) feeder.Feed(walk, number, &update, &retired);
         ++number;
       }
     }
   }
+  EraseScans(retired, &update.site.scans);
+  update.retired = static_cast<int>(retired.size());
   RetrainMaps(trainer, site, &update.site);
   return update;
 }
