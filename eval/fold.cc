@@ -17,14 +17,16 @@ namespace {
 std::vector<SurveyWalk> PlaceSurvey(const Building& building,
                                     const std::vector<CalibrationWalk>& walks,
                                     const std::vector<std::string>& trials,
-                                    const Settings& settings) {
+                                    const Settings& settings, const Executor& run) {
+  std::vector<SurveyPlacement> placements(walks.size());
+  run(walks.size(), [&](std::size_t i) {
+    placements[i] = PlaceSurveyWalk(building, *walks[i].truth, *walks[i].evidence, settings);
+  });
   std::vector<SurveyWalk> survey;
   std::size_t fell_back = 0;
   for (std::size_t i = 0; i < walks.size(); ++i) {
-    const CalibrationWalk& walk = walks[i];
-    SurveyPlacement placement = PlaceSurveyWalk(building, *walk.truth, *walk.evidence, settings);
-    fell_back += placement.fell_back ? 1 : 0;
-    survey.push_back({walk.evidence, std::move(placement.trajectory), trials[i]});
+    fell_back += placements[i].fell_back ? 1 : 0;
+    survey.push_back({walks[i].evidence, std::move(placements[i].trajectory), trials[i]});
   }
   if (fell_back > 0) {
     LOG(INFO) << "survey positions: " << fell_back << " of " << walks.size()
@@ -50,7 +52,7 @@ std::vector<int> AssignFolds(const std::vector<const LoadedWalk*>& walks, SplitB
 
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
-                 const std::vector<ConfigOverride>& overrides) {
+                 const std::vector<ConfigOverride>& overrides, const Executor& run) {
   HeardReadings heard_in_test;
   for (const LoadedWalk* walk : test) heard_in_test.Add(walk->evidence);
   heard_in_test.Freeze();
@@ -69,8 +71,8 @@ Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>&
   Fold fold;
   CalibrateMotion(building, walks, &fold.settings.factors);
   ApplyOverrides(overrides, &fold.settings);
-  fold.site = TrainSite(building, PlaceSurvey(building, walks, trials, fold.settings),
-                        fold.settings.radio_map);
+  fold.site = TrainSite(building, PlaceSurvey(building, walks, trials, fold.settings, run),
+                        fold.settings.radio_map, run);
   return fold;
 }
 

@@ -7,6 +7,7 @@
 #include "eval/cross_validation.h"
 #include "eval/loaded_walk.h"
 #include "eval/settings.h"
+#include "frontends/radio_map/executor.h"
 #include "frontends/radio_map/site.h"
 
 namespace walkgraph {
@@ -21,10 +22,11 @@ struct Fold {
 };
 
 // Trains and calibrates on `training`. Readings that also occur in a walk of `test` are removed
-// first. Walks that could not be read or have no waypoints train nothing.
+// first. Walks that could not be read or have no waypoints train nothing. A fold that is prepared
+// alone may `run` its parts on threads.
 Fold PrepareFold(const Building& building, const std::vector<const LoadedWalk*>& training,
                  const std::vector<const LoadedWalk*>& test,
-                 const std::vector<ConfigOverride>& overrides);
+                 const std::vector<ConfigOverride>& overrides, const Executor& run = RunInOrder);
 
 }  // namespace walkgraph
 

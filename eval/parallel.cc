@@ -115,6 +115,13 @@ void ParallelFor(int workers, std::size_t count, const std::function<bool()>& st
   if (error) std::rethrow_exception(error);
 }
 
+Executor ThreadedExecutor(int workers) {
+  return [workers](std::size_t count, const std::function<void(std::size_t)>& job) {
+    ParallelFor(
+        workers, count, [] { return false; }, job);
+  };
+}
+
 void RunFolds(int workers, const std::vector<std::vector<std::size_t>>& walks_of_fold,
               const FoldJobs& jobs, const std::function<bool()>& stopped) {
   FoldQueue queue(walks_of_fold, jobs, stopped);

@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "frontends/radio_map/executor.h"
+
 namespace walkgraph {
 
 // All threads of the project are started here; what runs on them is single-threaded. Jobs write to
@@ -14,6 +16,9 @@ namespace walkgraph {
 // The first exception of a job stops the rest and is thrown again here.
 void ParallelFor(int workers, std::size_t count, const std::function<bool()>& stopped,
                  const std::function<void(std::size_t)>& job);
+
+// An executor of that many threads. It does not stop early: half of what it runs is of no use.
+Executor ThreadedExecutor(int workers);
 
 // What a cross-validation does with its folds and the walks that each holds out.
 struct FoldJobs {

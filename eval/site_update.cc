@@ -88,8 +88,9 @@ int UpdateSurveyedSite(const SiteUpdateOptions& options) {
   ApplyOverrides(options.learn.overrides, &settings);
   const Site site = ReadSiteFile(options.site);
   const bool graph = options.update == SiteUpdate::kGraph;
+  const std::string own_method = graph ? "batch" : "mufaf_ksgf";
   const std::unique_ptr<Estimator> estimator =
-      ParseMethods(graph ? "batch" : "mufaf_ksgf").front()->make(settings);
+      ParseMethods(options.method.empty() ? own_method : options.method).front()->make(settings);
   std::vector<LocatedWalk> located = LoadAll(options, site, settings);
   Site updated = site;
   for (int round = 0; round < settings.map_change.rounds; ++round) {

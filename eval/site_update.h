@@ -10,7 +10,7 @@
 
 namespace walkgraph {
 
-// Who locates the walks that a site learns from, and how it learns.
+// Who locates the walks that a site learns from, unless told otherwise, and how it learns.
 enum class SiteUpdate : std::uint8_t {
   kGraph,       // batch; offsets of transmitters, then all scans (see UpdateSite)
   kKriging,     // mufaf_ksgf; MUFAF's adaptive fingerprint update
@@ -21,7 +21,8 @@ inline constexpr std::array<std::string_view, 3> kSiteUpdateNames = {"graph", "k
 
 struct SiteUpdateOptions {
   LearnOptions learn;
-  std::string site;  // file of the site as it was
+  std::string site;    // file of the site as it was
+  std::string method;  // locates the walks; empty: the update's own
   SiteUpdate update = SiteUpdate::kGraph;
   bool floor_given = true;
 };

@@ -71,7 +71,8 @@ int SurveyDataset(const LearnOptions& options) {
   if (options.stopped()) return kExitInterrupted;
   const std::vector<const LoadedWalk*> training = WalksWithTruth(options, walks);
   std::fprintf(stderr, "training on %zu walks\n", training.size());
-  const Fold fold = PrepareFold(dataset.building, training, {}, options.overrides);
+  const Fold fold = PrepareFold(dataset.building, training, {}, options.overrides,
+                                ThreadedExecutor(options.workers));
   const Site& site = fold.site;
   if (options.stopped()) return kExitInterrupted;
   WriteSiteFile(site, options.out);
@@ -89,7 +90,8 @@ int CalibrateDataset(const LearnOptions& options) {
   const std::vector<LoadedWalk> walks = LoadWalks(options, dataset);
   if (options.stopped()) return kExitInterrupted;
   const std::vector<const LoadedWalk*> training = WalksWithTruth(options, walks);
-  const Fold fold = PrepareFold(dataset.building, training, {}, options.overrides);
+  const Fold fold = PrepareFold(dataset.building, training, {}, options.overrides,
+                                ThreadedExecutor(options.workers));
   if (options.stopped()) return kExitInterrupted;
   std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n";
   for (const RadioMap& map : fold.site.maps) {

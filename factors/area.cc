@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <list>
+#include <mutex>
 #include <vector>
 
 namespace walkgraph {
@@ -28,12 +30,44 @@ AreaRaster RasterOf(const Site& site, int floor, const AreaSettings& settings) {
   return {};
 }
 
+// Fields of the rasters that were asked for last. Every walk of a floor asks for the same one, which
+// takes longer to make than to compare. What comes out is the same as if each were made anew.
+class RecentFields {
+ public:
+  AreaField Of(const AreaRaster& raster) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto known = std::find_if(recent_.begin(), recent_.end(),
+                                    [&raster](const Entry& e) { return e.raster == raster; });
+    if (known != recent_.end()) {
+      recent_.splice(recent_.begin(), recent_, known);
+    } else {
+      recent_.push_front({raster, AreaField(raster)});
+      if (recent_.size() > kMost) recent_.pop_back();
+    }
+    return recent_.front().field;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 12;  // some megabytes
+  struct Entry {
+    AreaRaster raster;
+    AreaField field;
+  };
+  std::mutex mutex_;
+  std::list<Entry> recent_;  // last asked for first
+};
+
+AreaField FieldOf(const AreaRaster& raster) {
+  static RecentFields fields;
+  return fields.Of(raster);
+}
+
 }  // namespace
 
 std::optional<AreaField> AreaOfFloor(const Site& site, int floor, const AreaSettings& settings) {
   const AreaRaster raster = RasterOf(site, floor, settings);
   if (!HasInside(raster)) return std::nullopt;
-  return AreaField(raster);
+  return FieldOf(raster);
 }
 
 std::optional<AreaField> AreaOfConnectors(const Building& building, int from_floor, int to_floor) {
@@ -54,7 +88,7 @@ std::optional<AreaField> AreaOfConnectors(const Building& building, int from_flo
     }
   }
   if (path.empty()) return std::nullopt;
-  return AreaField(PathRaster(path, reach_m, kSpacingM));
+  return FieldOf(PathRaster(path, reach_m, kSpacingM));
 }
 
 const AreaField* WalkAreas::At(TimeNs time_ns) {

@@ -19,6 +19,7 @@ struct AreaRaster {
   int columns = 0;
   int rows = 0;
   std::vector<bool> inside;  // row-major: whether the centre is in the area
+  bool operator==(const AreaRaster&) const = default;
 };
 
 // Signed distance from the border of an area on one floor, in metres, positive outside: exact

@@ -12,6 +12,7 @@ DEFINE_string(update, "",
               "graph, kriging or covariance: how the site given by --site learns from the walks, "
               "whose truth it does not use");
 
+DECLARE_string(method);
 DECLARE_string(site);
 
 namespace walkgraph {
@@ -45,6 +46,7 @@ int RunSurvey(const CommandLine& line) {
   RequireFlag("site", FLAGS_site);
   return UpdateSurveyedSite({.learn = Options(line),
                              .site = FLAGS_site,
+                             .method = FLAGS_method,
                              .update = UpdateOfFlag(),
                              .floor_given = FloorGiven()});
 }
@@ -57,7 +59,7 @@ Verb SurveyVerb() {
   return {"survey",
           "--dataset=DIR --out=SITE",
           "train a radio map from walks with truth, or (--site, --update) let one learn from walks",
-          {"dataset", "out", "site", "update", "floor", "workers", "config", "set"},
+          {"dataset", "out", "site", "update", "method", "floor", "workers", "config", "set"},
           RunSurvey};
 }
 

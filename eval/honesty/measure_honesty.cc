@@ -121,7 +121,8 @@ HonestyResult MeasureRecorded(const HonestyOptions& options, const Dataset& trai
   for (const LoadedWalk* walk : walks) names.push_back(walk->file.id);
   HonestyResult result = EmptyResult(options, names);
   if (options.stopped()) return result;
-  const Fold fold = PrepareFold(train.building, Pointers(training), walks, options.overrides);
+  const Fold fold = PrepareFold(train.building, Pointers(training), walks, options.overrides,
+                                ThreadedExecutor(options.workers));
   const auto estimators = MakeEstimators(options.methods, fold.settings);
   Progress progress(static_cast<int>(walks.size()), "walks", options.out + "/run/progress");
   ParallelFor(options.workers, walks.size(), options.stopped, [&](std::size_t i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -80,11 +81,11 @@ void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettin
 
 }  // namespace
 
-HeldOutTrials::HeldOutTrials(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                             const TrainerSettings& settings, std::size_t max_transmitters)
-    : floor_(floor), radio_(radio), grid_(grid), settings_(settings) {
+HeldOutTrials::HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& settings,
+                             std::size_t max_transmitters, const Executor& run)
+    : survey_(survey), settings_(settings), run_(run) {
   std::set<std::uint32_t> transmitters, walks;
-  for (const SurveyScan* scan : scans) {
+  for (const SurveyScan* scan : survey.scans) {
     by_trial_[scan->trial][scan->walk].push_back(scan);
     walks.insert(scan->walk);
     for (const SurveyReading& reading : scan->readings) transmitters.insert(reading.transmitter);
@@ -95,21 +96,25 @@ HeldOutTrials::HeldOutTrials(int floor, Radio radio, const FieldGrid& grid, cons
 
 void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
                                std::vector<HeldOutPiece>* pieces) const {
-  ScanList training;
+  FloorSurvey training{survey_.floor, survey_.radio, survey_.grid, {}};
   std::vector<const ScanList*> held_out;
   std::size_t index = 0;
   for (const auto& [trial, walks] : by_trial_) {
     const bool out = index++ % kCalibrationFolds == fold;
     for (const auto& [walk, list] : walks) {
       if (out) held_out.push_back(&list);
-      if (!out) training.insert(training.end(), list.begin(), list.end());
+      if (!out) training.scans.insert(training.scans.end(), list.begin(), list.end());
     }
   }
   const RadioMap map =
-      BuildMap(floor_, radio_, grid_, training, model, settings_, {keep_every_, kSearchSamples});
+      BuildMap(training, model, settings_, {keep_every_, kSearchSamples}, run_);
   const std::size_t count = std::min(max_walks, held_out.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    AppendPieces(map, *held_out[i * held_out.size() / count], settings_, pieces);
+  std::vector<std::vector<HeldOutPiece>> of_walk(count);
+  run_(count, [&](std::size_t i) {
+    AppendPieces(map, *held_out[i * held_out.size() / count], settings_, &of_walk[i]);
+  });
+  for (std::vector<HeldOutPiece>& more : of_walk) {
+    std::move(more.begin(), more.end(), std::back_inserter(*pieces));
   }
 }
 

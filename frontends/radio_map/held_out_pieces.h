@@ -33,10 +33,10 @@ struct HeldOutPiece {
 // The scans of a floor by trial and walk, and the maps that leave one third of the trials out.
 class HeldOutTrials {
  public:
-  // The grid and settings must outlive it. Maps are made of an even selection of at most
+  // The references must outlive it. Maps are made of an even selection of at most
   // `max_transmitters`.
-  HeldOutTrials(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                const TrainerSettings& settings, std::size_t max_transmitters);
+  HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& settings,
+                std::size_t max_transmitters, const Executor& run);
 
   // Six walks of three trials, fewer of which say nothing.
   bool enough() const { return enough_; }
@@ -46,10 +46,9 @@ class HeldOutTrials {
                   std::vector<HeldOutPiece>* pieces) const;
 
  private:
-  int floor_;
-  Radio radio_;
-  const FieldGrid& grid_;
+  const FloorSurvey& survey_;
   const TrainerSettings& settings_;
+  const Executor& run_;
   std::map<std::uint32_t, std::map<std::uint32_t, ScanList>> by_trial_;
   bool enough_ = false;
   std::size_t keep_every_ = 1;

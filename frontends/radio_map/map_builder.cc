@@ -114,6 +114,15 @@ std::map<std::uint32_t, std::vector<std::size_t>> HeardIn(const ScanList& scans)
   return heard;
 }
 
+double LeastSigma(const std::vector<RadioMap::TransmitterField>& fields) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const RadioMap::TransmitterField& field : fields) {
+    for (const float log_sigma : field.log_sigma) least = std::min(least, log_sigma);
+    least = std::min(least, field.background_log_sigma);
+  }
+  return std::exp(static_cast<double>(least));
+}
+
 // Distance of every control point to the nearest scan.
 std::vector<float> SurveyDistanceField(const FieldGrid& grid, const ScanList& scans) {
   // Places closer than a fraction of the grid's spacing are one.
@@ -206,33 +215,33 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
   return GridOverBox(low, high, settings.grid_spacing_m);
 }
 
-RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                  const FieldModel& model, const TrainerSettings& settings,
-                  const MapDetail& detail) {
+RadioMap BuildMap(const FloorSurvey& survey, const FieldModel& model,
+                  const TrainerSettings& settings, const MapDetail& detail, const Executor& run) {
   RadioMap map;
-  map.floor = floor;
-  map.radio = radio;
-  map.grid = grid;
-  const HearingModel hearing(grid, SweepPlaces(scans), model.hear_bandwidth_m,
+  map.floor = survey.floor;
+  map.radio = survey.radio;
+  map.grid = survey.grid;
+  const HearingModel hearing(survey.grid, SweepPlaces(survey.scans), model.hear_bandwidth_m,
                              settings.hear_prior_sweeps);
-  const auto heard = HeardIn(scans);
-  float min_log_sigma = std::numeric_limits<float>::infinity();
+  const auto heard = HeardIn(survey.scans);
+  const auto samples = CollectSamples(survey.scans, settings, detail);
+  std::vector<const std::vector<FieldSample>*> samples_of_field;
   std::size_t index = 0;
-  for (const auto& [transmitter, samples] : CollectSamples(scans, settings, detail)) {
+  for (const auto& [transmitter, list] : samples) {
     if (index++ % detail.keep_every != 0) continue;
-    RadioMap::TransmitterField field;
-    field.transmitter = transmitter;
-    SetRectangle(grid, samples, settings.margin_m, &field);
-    FillSignal(grid, FieldProcess(samples, model.prior), model.sigma_scale, &field);
-    hearing.Fill(heard.at(transmitter), &field);
-    for (const float log_sigma : field.log_sigma)
-      min_log_sigma = std::min(min_log_sigma, log_sigma);
-    min_log_sigma = std::min(min_log_sigma, field.background_log_sigma);
-    map.fields.push_back(std::move(field));
+    map.fields.emplace_back().transmitter = transmitter;
+    samples_of_field.push_back(&list);
   }
-  map.sigma_min_db = std::exp(static_cast<double>(min_log_sigma));
-  map.silence_nats = SilenceField(grid, map.fields);
-  map.survey_distance_m = SurveyDistanceField(grid, scans);
+  run(map.fields.size(), [&](std::size_t f) {
+    RadioMap::TransmitterField& field = map.fields[f];
+    SetRectangle(map.grid, *samples_of_field[f], settings.margin_m, &field);
+    FillSignal(map.grid, FieldProcess(*samples_of_field[f], model.prior), model.sigma_scale,
+               &field);
+    hearing.Fill(heard.at(field.transmitter), &field);
+  });
+  map.sigma_min_db = LeastSigma(map.fields);
+  map.silence_nats = SilenceField(map.grid, map.fields);
+  map.survey_distance_m = SurveyDistanceField(map.grid, survey.scans);
   return map;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "frontends/radio_map/executor.h"
 #include "frontends/radio_map/gaussian_process.h"
 #include "frontends/radio_map/radio_map.h"
 #include "frontends/radio_map/site.h"
@@ -14,6 +15,14 @@ namespace walkgraph {
 
 // The survey scans of one radio on one floor, in a fixed order.
 using ScanList = std::vector<const SurveyScan*>;
+
+// What a map is made of, and where its control points lie.
+struct FloorSurvey {
+  int floor = 0;
+  Radio radio = Radio::kWifi;
+  FieldGrid grid;
+  ScanList scans;
+};
 
 // What the fields of one radio on one floor have in common.
 struct FieldModel {
@@ -50,9 +59,9 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
                        const TrainerSettings& settings);
 
 // The map without its calibration (n_eff and the map error stay 0).
-RadioMap BuildMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                  const FieldModel& model, const TrainerSettings& settings,
-                  const MapDetail& detail = {});
+RadioMap BuildMap(const FloorSurvey& survey, const FieldModel& model,
+                  const TrainerSettings& settings, const MapDetail& detail = {},
+                  const Executor& run = RunInOrder);
 
 }  // namespace walkgraph
 

@@ -119,20 +119,20 @@ void Climb(const HeldOutTrials& held_out, std::span<const double> ladder,
 
 }  // namespace
 
-std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& grid,
-                                     const ScanList& scans, const TrainerSettings& settings) {
-  const HeldOutTrials held_out(floor, radio, grid, scans, settings, kSearchTransmitters);
+std::optional<double> PlacementScore(const FloorSurvey& survey, const TrainerSettings& settings) {
+  const Executor in_order = RunInOrder;
+  const HeldOutTrials held_out(survey, settings, kSearchTransmitters, in_order);
   if (!held_out.enough()) return std::nullopt;
   return ModelScore(held_out, FieldModel(), kAllWalks);
 }
 
-FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                            const TrainerSettings& settings) {
+FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& settings,
+                            const Executor& run) {
   constexpr std::array kLengths{5.0, 7.0, 10.0, 14.0, 20.0, 28.0};
   constexpr std::array kBandwidths{1.2, 1.7, 2.5, 3.5, 5.0, 7.0};
   constexpr std::array kNoises{2.0, 3.0, 4.0, 5.0, 6.0};
   FieldModel model;
-  const HeldOutTrials held_out(floor, radio, grid, scans, settings, kSearchTransmitters);
+  const HeldOutTrials held_out(survey, settings, kSearchTransmitters, run);
   if (held_out.enough()) {
     double score = ModelScore(held_out, model);
     Climb(
@@ -145,13 +145,13 @@ FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const
         held_out, kNoises, [](FieldModel& m) -> double& { return m.prior.noise_db; }, &model,
         &score);
   }
-  model.sigma_scale = LeftOutSigmaScale(CollectSamples(scans, settings), model.prior);
+  model.sigma_scale = LeftOutSigmaScale(CollectSamples(survey.scans, settings), model.prior);
   return model;
 }
 
-MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                            const FieldModel& model, const TrainerSettings& settings) {
-  const HeldOutTrials held_out(floor, radio, grid, scans, settings, kCalibrationTransmitters);
+MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
+                            const TrainerSettings& settings, const Executor& run) {
+  const HeldOutTrials held_out(survey, settings, kCalibrationTransmitters, run);
   if (!held_out.enough()) return {};
   std::vector<HeldOutPiece> pieces;
   for (std::size_t fold = 0; fold < kCalibrationFolds; ++fold) {

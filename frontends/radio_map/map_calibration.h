@@ -25,19 +25,18 @@ struct MapCalibration {
 // Total score of the default field model on held-out walks, at the best of a coarse grid of
 // calibrations: comparable between different placements of the same walks' scans. Nothing where
 // there are fewer than six walks or three trials.
-std::optional<double> PlacementScore(int floor, Radio radio, const FieldGrid& grid,
-                                     const ScanList& scans, const TrainerSettings& settings);
+std::optional<double> PlacementScore(const FloorSurvey& survey, const TrainerSettings& settings);
 
 // Length scale, noise and hearing bandwidth by climbing fixed ladders on one third of the walks,
 // with a selection of the transmitters; then the scale that makes left-out residuals honest. The
 // default model where there are fewer than six walks.
-FieldModel SelectFieldModel(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                            const TrainerSettings& settings);
+FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& settings,
+                            const Executor& run = RunInOrder);
 
 // n_eff, hear_weight, map error and its growth with the best total score over three folds of walks.
 // The defaults where there are fewer than six walks.
-MapCalibration CalibrateMap(int floor, Radio radio, const FieldGrid& grid, const ScanList& scans,
-                            const FieldModel& model, const TrainerSettings& settings);
+MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
+                            const TrainerSettings& settings, const Executor& run = RunInOrder);
 
 }  // namespace walkgraph
 

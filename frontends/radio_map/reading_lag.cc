@@ -37,37 +37,49 @@ double TopOfParabola(const Scores& scores) {
   return kLadder[static_cast<std::size_t>(best)];
 }
 
+// How well the map of each floor places walks held out of it where every reading is where the person
+// was that much later; nothing where no floor has enough walks.
+std::optional<double> ScoreOfLag(double lag_s, const Building& building,
+                                 const std::vector<SurveyWalk>& walks,
+                                 const std::vector<std::vector<std::int32_t>>& site_index,
+                                 const std::vector<SurveyPoint>& path, Radio radio,
+                                 const TrainerSettings& settings) {
+  std::map<int, std::vector<SurveyScan>> by_floor;
+  for (std::size_t w = 0; w < walks.size(); ++w) {
+    if (walks[w].trajectory.empty()) continue;
+    for (SurveyScan& scan : PlaceScans(walks, w, radio, site_index[w], lag_s, kRange)) {
+      by_floor[scan.floor].push_back(std::move(scan));
+    }
+  }
+  std::optional<double> sum;
+  for (const auto& [floor, scans] : by_floor) {
+    FloorSurvey survey{floor, radio, {}, {}};
+    survey.grid = CoveringGrid(building.FindFloor(floor), path, floor, settings);
+    for (const SurveyScan& scan : scans) survey.scans.push_back(&scan);
+    const std::optional<double> score = PlacementScore(survey, settings);
+    if (score) sum = sum.value_or(0) + *score;
+  }
+  return sum;
+}
+
 }  // namespace
 
 double CalibrateReadingLag(const Building& building, const std::vector<SurveyWalk>& walks,
                            const std::vector<std::vector<std::int32_t>>& site_index,
                            const std::vector<SurveyPoint>& path, Radio radio,
-                           const TrainerSettings& settings) {
-  Scores scores = Scores::Zero();
+                           const TrainerSettings& settings, const Executor& run) {
+  Scores scores;
+  std::array<std::optional<double>, kLadder.size()> of_lag;
+  run(kLadder.size(), [&](std::size_t l) {
+    of_lag[l] = ScoreOfLag(kLadder[l], building, walks, site_index, path, radio, settings);
+  });
   bool any = false;
   for (std::size_t l = 0; l < kLadder.size(); ++l) {
-    std::map<int, std::vector<SurveyScan>> by_floor;
-    for (std::size_t w = 0; w < walks.size(); ++w) {
-      if (walks[w].trajectory.empty()) continue;
-      for (SurveyScan& scan : PlaceScans(walks, w, radio, site_index[w], kLadder[l], kRange)) {
-        by_floor[scan.floor].push_back(std::move(scan));
-      }
-    }
-    for (const auto& [floor, scans] : by_floor) {
-      ScanList list;
-      for (const SurveyScan& scan : scans) list.push_back(&scan);
-      const FieldGrid grid = CoveringGrid(building.FindFloor(floor), path, floor, settings);
-      const std::optional<double> score = PlacementScore(floor, radio, grid, list, settings);
-      if (!score) continue;
-      scores[static_cast<Eigen::Index>(l)] += *score;
-      any = true;
-    }
+    const double sigmas = kLadder[l] / kPriorSigmaS;
+    scores[static_cast<Eigen::Index>(l)] = of_lag[l].value_or(0) - 0.5 * sigmas * sigmas;
+    any |= of_lag[l].has_value();
   }
   if (!any) return 0.0;
-  for (std::size_t l = 0; l < kLadder.size(); ++l) {
-    const double sigmas = kLadder[l] / kPriorSigmaS;
-    scores[static_cast<Eigen::Index>(l)] -= 0.5 * sigmas * sigmas;
-  }
   return TopOfParabola(scores);
 }
 

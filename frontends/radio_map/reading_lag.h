@@ -18,7 +18,7 @@ namespace walkgraph {
 double CalibrateReadingLag(const Building& building, const std::vector<SurveyWalk>& walks,
                            const std::vector<std::vector<std::int32_t>>& site_index,
                            const std::vector<SurveyPoint>& path, Radio radio,
-                           const TrainerSettings& settings);
+                           const TrainerSettings& settings, const Executor& run = RunInOrder);
 
 // The evidence with every reading later by the site's lag, its printing too: its age is the phone's
 // own.

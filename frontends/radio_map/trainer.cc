@@ -48,29 +48,25 @@ void AppendMagnetic(const std::vector<SurveyWalk>& walks, std::size_t index,
   }
 }
 
-ScanList ScansOf(const Site& site, int floor, Radio radio) {
-  ScanList scans;
+FloorSurvey SurveyOf(const Site& site, int floor, Radio radio, const TrainerSettings& settings) {
+  FloorSurvey survey{floor, radio, {}, {}};
+  survey.grid = CoveringGrid(site.building.FindFloor(floor), site.path, floor, settings);
   for (const SurveyScan& scan : site.scans) {
-    if (scan.floor == floor && scan.radio == radio) scans.push_back(&scan);
+    if (scan.floor == floor && scan.radio == radio) survey.scans.push_back(&scan);
   }
-  return scans;
+  return survey;
 }
 
-FieldGrid GridOf(const Site& site, int floor, const TrainerSettings& settings) {
-  return CoveringGrid(site.building.FindFloor(floor), site.path, floor, settings);
-}
-
-void TrainMaps(const TrainerSettings& settings, Site* site) {
+void TrainMaps(const TrainerSettings& settings, const Executor& run, Site* site) {
   std::set<int> floors;
   for (const SurveyScan& scan : site->scans) floors.insert(scan.floor);
   for (const int floor : floors) {
-    const FieldGrid grid = GridOf(*site, floor, settings);
     for (const Radio radio : kAllRadios) {
-      const ScanList scans = ScansOf(*site, floor, radio);
-      if (scans.empty()) continue;
-      const FieldModel model = SelectFieldModel(floor, radio, grid, scans, settings);
-      RadioMap map = BuildMap(floor, radio, grid, scans, model, settings);
-      const MapCalibration calibration = CalibrateMap(floor, radio, grid, scans, model, settings);
+      const FloorSurvey survey = SurveyOf(*site, floor, radio, settings);
+      if (survey.scans.empty()) continue;
+      const FieldModel model = SelectFieldModel(survey, settings, run);
+      RadioMap map = BuildMap(survey, model, settings, {}, run);
+      const MapCalibration calibration = CalibrateMap(survey, model, settings, run);
       map.n_eff = calibration.n_eff;
       map.hear_weight = calibration.hear_weight;
       map.map_error_sigma_m = calibration.map_error_sigma_m;
@@ -104,15 +100,13 @@ void AppendSurveyPath(const Trajectory& trajectory, std::uint32_t walk,
 void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site) {
   site->maps.clear();
   for (const RadioMap& before : calibrated.maps) {
-    const ScanList scans = ScansOf(*site, before.floor, before.radio);
-    if (scans.empty()) continue;
-    const FieldModel model =
-        SelectFieldModel(before.floor, before.radio, GridOf(calibrated, before.floor, settings),
-                         ScansOf(calibrated, before.floor, before.radio), settings);
+    const FloorSurvey survey = SurveyOf(*site, before.floor, before.radio, settings);
+    if (survey.scans.empty()) continue;
+    const FieldModel model = SelectFieldModel(
+        SurveyOf(calibrated, before.floor, before.radio, settings), settings);
     // With the survey's samples merged as ever, what is added would blur them.
     const MapDetail detail = {.max_samples = 900};
-    RadioMap map = BuildMap(before.floor, before.radio, GridOf(*site, before.floor, settings),
-                            scans, model, settings, detail);
+    RadioMap map = BuildMap(survey, model, settings, detail);
     map.n_eff = before.n_eff;
     map.hear_weight = before.hear_weight;
     map.map_error_sigma_m = before.map_error_sigma_m;
@@ -122,7 +116,7 @@ void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* 
 }
 
 Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
-               const TrainerSettings& settings) {
+               const TrainerSettings& settings, const Executor& run) {
   Site site;
   site.building = building;
   site.transmitters = AllTransmitters(walks);
@@ -138,7 +132,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
   for (const Radio radio : kAllRadios) {
     double& lag_s = site.reading_lag_s[static_cast<std::size_t>(radio)];
     if (settings.calibrate_lag) {
-      lag_s = CalibrateReadingLag(building, walks, site_index, site.path, radio, settings);
+      lag_s = CalibrateReadingLag(building, walks, site_index, site.path, radio, settings, run);
     }
     for (std::size_t i = 0; i < walks.size(); ++i) {
       if (walks[i].trajectory.empty()) continue;
@@ -151,7 +145,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                    [](const SurveyScan& a, const SurveyScan& b) {
                      return std::tie(a.walk, a.printed_ns) < std::tie(b.walk, b.printed_ns);
                    });
-  TrainMaps(settings, &site);
+  TrainMaps(settings, run, &site);
   site.magnetic_maps = TrainMagneticMaps(site);
   return site;
 }

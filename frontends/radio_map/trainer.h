@@ -8,6 +8,7 @@
 #include "data/building.h"
 #include "data/trajectory.h"
 #include "frontends/evidence/evidence.h"
+#include "frontends/radio_map/executor.h"
 #include "frontends/radio_map/site.h"
 
 namespace walkgraph {
@@ -51,9 +52,9 @@ struct SurveyWalk {
 // field is a Gaussian process; its length scale and noise, the bandwidth of hearing and a map's
 // n_eff and map_error_sigma_m are chosen by how well they place survey walks held out of the map
 // (see map_calibration.h), and so is the lag of each radio's readings. Deterministic: equal input
-// gives an equal site. No survey at all gives a site without maps.
+// gives an equal site, however its parts are run. No survey at all gives a site without maps.
 Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
-               const TrainerSettings& settings);
+               const TrainerSettings& settings, const Executor& run = RunInOrder);
 
 // The maps of the scans that `site` has now, in place of those it had. What is calibrated stays as
 // it was on the survey of the `calibrated` site: walks that were located and not surveyed cannot

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 #include "factors/area.h"
@@ -112,6 +113,25 @@ TEST(WalkAreas, BetweenTwoFloorsIsNearWhatConnectsThem) {
   const AreaSettings plain;
   WalkAreas floors_only(site, plain, path);
   EXPECT_LT(floors_only.At(14)->At(3.0, 8.0), 0);
+}
+
+// Fields are kept for the next walk: of more floors than are kept, and of floors that differ by a
+// wall alone, each still has its own.
+TEST(AreaOfFloor, KeptFieldsAreThoseOfTheFloorThatIsAskedFor) {
+  Site site;
+  for (int number = 0; number < 15; ++number) {
+    Floor floor = Room();
+    floor.number = number;
+    floor.obstacles.push_back({{1.0 + number, 0}, {2.0 + number, 0}, {1.5 + number, 9}});
+    site.building.floors.push_back(floor);
+  }
+  for (const int number : {0, 1, 0, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 0, 1}) {
+    const Floor* floor = site.building.FindFloor(number);
+    const AreaField anew(WalkableRaster(*floor, 0.5));
+    const std::optional<AreaField> kept = AreaOfFloor(site, number, {});
+    ASSERT_TRUE(kept.has_value());
+    for (double x = 0; x < 20; x += 0.7) EXPECT_EQ(kept->At(x, 1.0), anew.At(x, 1.0)) << number;
+  }
 }
 
 TEST(AreaFactor, SaysNothingInsideAndItsDistanceInSigmasOutside) {

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "frontends/radio_map/gaussian_process.h"
@@ -117,6 +119,20 @@ TEST(TrainSiteTest, EqualInputGivesEqualBytes) {
     return SerializeSite(TrainSite(world.building, world.Survey(3.0), {}));
   };
   EXPECT_EQ(train(), train());
+}
+
+// The parts of training hand nothing on to each other: last first gives the same bytes.
+TEST(TrainSiteTest, HangsNotOnTheOrderInWhichItsPartsAreRun) {
+  std::size_t runs = 0;
+  const Executor backwards = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
+    ++runs;
+    for (std::size_t i = count; i-- > 0;) job(i);
+  };
+  RadioWorld world(4, 6);
+  const std::vector<SurveyWalk> walks = world.Survey(3.0);
+  const std::string in_order = SerializeSite(TrainSite(world.building, walks, {}));
+  EXPECT_EQ(SerializeSite(TrainSite(world.building, walks, {}, backwards)), in_order);
+  EXPECT_GT(runs, 10U);
 }
 
 // A survey whose walks are each put down metres from where they went must be believed less.

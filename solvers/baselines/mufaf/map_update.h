@@ -48,11 +48,10 @@ void Visit(Visitor& v, MapUpdateSettings& s) {
 
 // For a whole site's scans (our choice). The paper's threshold is a norm over four anchors that are
 // always heard; over the dozens of transmitters of a building, each scattering by some dB, no scan
-// is under it. And where transmitters have changed, what a cell remembers of before is wrong.
+// is under it.
 constexpr MapUpdateSettings SiteMapUpdate() {
   MapUpdateSettings settings;
   settings.threshold_db = 1000;
-  settings.memory = 6;
   return settings;
 }
 
