@@ -88,7 +88,7 @@ int UpdateSurveyedSite(const SiteUpdateOptions& options) {
   ApplyOverrides(options.learn.overrides, &settings);
   const Site site = ReadSiteFile(options.site);
   const bool graph = options.update == SiteUpdate::kGraph;
-  const std::string own_method = graph ? "batch" : "mufaf_ksgf";
+  const std::string own_method = graph ? "batch" : "viterbi";
   const std::unique_ptr<Estimator> estimator =
       ParseMethods(options.method.empty() ? own_method : options.method).front()->make(settings);
   std::vector<LocatedWalk> located = LoadAll(options, site, settings);

@@ -13,7 +13,8 @@ namespace walkgraph {
 // Who locates the walks that a site learns from, unless told otherwise, and how it learns.
 enum class SiteUpdate : std::uint8_t {
   kGraph,       // batch; offsets of transmitters, then all scans (see UpdateSite)
-  kKriging,     // mufaf_ksgf; MUFAF's adaptive fingerprint update
+  kKriging,     // viterbi, as MUFAF's own fusion is too far off where much has changed; its
+                // adaptive fingerprint update
   kCovariance,  // the same, the map interpolated by its covariance
 };
 inline constexpr std::array<std::string_view, 3> kSiteUpdateNames = {"graph", "kriging",
