@@ -94,24 +94,30 @@ HeldOutTrials::HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& s
   keep_every_ = (transmitters.size() + max_transmitters - 1) / max_transmitters;
 }
 
-void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
-                               std::vector<HeldOutPiece>* pieces) const {
+HeldOutTrials::Fold HeldOutTrials::MakeFold(std::size_t fold) const {
   FloorSurvey training{survey_.floor, survey_.radio, survey_.grid, {}};
-  std::vector<const ScanList*> held_out;
+  Fold result;
   std::size_t index = 0;
   for (const auto& [trial, walks] : by_trial_) {
     const bool out = index++ % kCalibrationFolds == fold;
     for (const auto& [walk, list] : walks) {
-      if (out) held_out.push_back(&list);
+      if (out) result.held_out.push_back(&list);
       if (!out) training.scans.insert(training.scans.end(), list.begin(), list.end());
     }
   }
-  const RadioMap map =
-      BuildMap(training, model, settings_, {keep_every_, kSearchSamples}, run_);
+  result.input = MakeMapInput(training, settings_, {keep_every_, kSearchSamples});
+  return result;
+}
+
+void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
+                               std::vector<HeldOutPiece>* pieces) {
+  if (!folds_.contains(fold)) folds_[fold] = MakeFold(fold);
+  const auto& [held_out, input] = folds_[fold];
+  const RadioMap map = BuildMap(input, model, settings_, run_);
   const std::size_t count = std::min(max_walks, held_out.size());
   std::vector<std::vector<HeldOutPiece>> of_walk(count);
-  run_(count, [&](std::size_t i) {
-    AppendPieces(map, *held_out[i * held_out.size() / count], settings_, &of_walk[i]);
+  run_(count, [&, &walks = held_out](std::size_t i) {
+    AppendPieces(map, *walks[i * walks.size() / count], settings_, &of_walk[i]);
   });
   for (std::vector<HeldOutPiece>& more : of_walk) {
     std::move(more.begin(), more.end(), std::back_inserter(*pieces));

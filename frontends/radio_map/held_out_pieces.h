@@ -43,15 +43,23 @@ class HeldOutTrials {
 
   // Pieces of an even selection of at most `max_walks` walks of a fold, on the map of the others.
   void AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
-                  std::vector<HeldOutPiece>* pieces) const;
+                  std::vector<HeldOutPiece>* pieces);
 
  private:
+  // A fold's walks, and what its maps are made of.
+  struct Fold {
+    std::vector<const ScanList*> held_out;
+    MapInput input;
+  };
+  Fold MakeFold(std::size_t fold) const;
+
   const FloorSurvey& survey_;
   const TrainerSettings& settings_;
   const Executor& run_;
   std::map<std::uint32_t, std::map<std::uint32_t, ScanList>> by_trial_;
   bool enough_ = false;
   std::size_t keep_every_ = 1;
+  std::map<std::size_t, Fold> folds_;  // those asked for
 };
 
 }  // namespace walkgraph

@@ -124,11 +124,12 @@ double LeastSigma(const std::vector<RadioMap::TransmitterField>& fields) {
 }
 
 // Distance of every control point to the nearest scan.
-std::vector<float> SurveyDistanceField(const FieldGrid& grid, const ScanList& scans) {
+std::vector<float> SurveyDistanceField(const FieldGrid& grid,
+                                       const std::vector<Eigen::Vector2d>& sweep_places) {
   // Places closer than a fraction of the grid's spacing are one.
   std::map<std::pair<long, long>, Eigen::Vector2f> places;
   const float cell_m = 0.25F * static_cast<float>(grid.spacing_m);
-  for (const Eigen::Vector2d& place : SweepPlaces(scans)) {
+  for (const Eigen::Vector2d& place : sweep_places) {
     const Eigen::Vector2f at = place.cast<float>();
     places.try_emplace({std::lround(at.x() / cell_m), std::lround(at.y() / cell_m)}, at);
   }
@@ -215,33 +216,40 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
   return GridOverBox(low, high, settings.grid_spacing_m);
 }
 
-RadioMap BuildMap(const FloorSurvey& survey, const FieldModel& model,
-                  const TrainerSettings& settings, const MapDetail& detail, const Executor& run) {
-  RadioMap map;
-  map.floor = survey.floor;
-  map.radio = survey.radio;
-  map.grid = survey.grid;
-  const HearingModel hearing(survey.grid, SweepPlaces(survey.scans), model.hear_bandwidth_m,
-                             settings.hear_prior_sweeps);
-  const auto heard = HeardIn(survey.scans);
-  const auto samples = CollectSamples(survey.scans, settings, detail);
-  std::vector<const std::vector<FieldSample>*> samples_of_field;
+MapInput MakeMapInput(const FloorSurvey& survey, const TrainerSettings& settings,
+                      const MapDetail& detail) {
+  MapInput input{survey.floor, survey.radio, survey.grid, {}, {}, {}, {}};
   std::size_t index = 0;
-  for (const auto& [transmitter, list] : samples) {
-    if (index++ % detail.keep_every != 0) continue;
+  for (const auto& [transmitter, list] : CollectSamples(survey.scans, settings, detail)) {
+    if (index++ % detail.keep_every == 0) input.samples[transmitter] = list;
+  }
+  input.heard_in = HeardIn(survey.scans);
+  input.sweep_places = SweepPlaces(survey.scans);
+  input.survey_distance_m = SurveyDistanceField(survey.grid, input.sweep_places);
+  return input;
+}
+
+RadioMap BuildMap(const MapInput& input, const FieldModel& model, const TrainerSettings& settings,
+                  const Executor& run) {
+  RadioMap map;
+  map.floor = input.floor;
+  map.radio = input.radio;
+  map.grid = input.grid;
+  const HearingModel hearing(map.grid, input.sweep_places, model.hear_bandwidth_m,
+                             settings.hear_prior_sweeps);
+  for (const auto& [transmitter, samples] : input.samples) {
     map.fields.emplace_back().transmitter = transmitter;
-    samples_of_field.push_back(&list);
   }
   run(map.fields.size(), [&](std::size_t f) {
     RadioMap::TransmitterField& field = map.fields[f];
-    SetRectangle(map.grid, *samples_of_field[f], settings.margin_m, &field);
-    FillSignal(map.grid, FieldProcess(*samples_of_field[f], model.prior), model.sigma_scale,
-               &field);
-    hearing.Fill(heard.at(field.transmitter), &field);
+    const std::vector<FieldSample>& samples = input.samples.at(field.transmitter);
+    SetRectangle(map.grid, samples, settings.margin_m, &field);
+    FillSignal(map.grid, FieldProcess(samples, model.prior), model.sigma_scale, &field);
+    hearing.Fill(input.heard_in.at(field.transmitter), &field);
   });
   map.sigma_min_db = LeastSigma(map.fields);
   map.silence_nats = SilenceField(map.grid, map.fields);
-  map.survey_distance_m = SurveyDistanceField(map.grid, survey.scans);
+  map.survey_distance_m = input.survey_distance_m;
   return map;
 }
 

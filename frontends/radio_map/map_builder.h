@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_BUILDER_H_
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_BUILDER_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -58,9 +59,21 @@ FieldGrid GridOverBox(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
                        const TrainerSettings& settings);
 
+// What the maps of one survey have in common, whatever their model.
+struct MapInput {
+  int floor = 0;
+  Radio radio = Radio::kWifi;
+  FieldGrid grid;
+  std::map<std::uint32_t, std::vector<FieldSample>> samples;   // of each transmitter kept
+  std::map<std::uint32_t, std::vector<std::size_t>> heard_in;  // scans of each transmitter
+  std::vector<Eigen::Vector2d> sweep_places;                   // of each scan
+  std::vector<float> survey_distance_m;                        // see RadioMap
+};
+MapInput MakeMapInput(const FloorSurvey& survey, const TrainerSettings& settings,
+                      const MapDetail& detail = {});
+
 // The map without its calibration (n_eff and the map error stay 0).
-RadioMap BuildMap(const FloorSurvey& survey, const FieldModel& model,
-                  const TrainerSettings& settings, const MapDetail& detail = {},
+RadioMap BuildMap(const MapInput& input, const FieldModel& model, const TrainerSettings& settings,
                   const Executor& run = RunInOrder);
 
 }  // namespace walkgraph

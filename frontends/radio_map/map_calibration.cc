@@ -89,17 +89,17 @@ Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const Calibratio
   return best;
 }
 
-double ModelScore(const HeldOutTrials& held_out, const FieldModel& model,
+double ModelScore(const FieldModel& model, HeldOutTrials* held_out,
                   std::size_t max_walks = kWalksPerFold) {
   std::vector<HeldOutPiece> pieces;
-  held_out.AppendFold(0, model, max_walks, &pieces);
+  held_out->AppendFold(0, model, max_walks, &pieces);
   const std::array hear_weights{MapCalibration().hear_weight};
   return BestCalibration(pieces, {kCoarseNEff, hear_weights, kCoarseMapErrors, kNoGrowth}).score;
 }
 
 // Moves one parameter along its ladder, from the value it has, as long as the score grows.
-void Climb(const HeldOutTrials& held_out, std::span<const double> ladder,
-           const std::function<double&(FieldModel&)>& parameter, FieldModel* model, double* score) {
+void Climb(std::span<const double> ladder, const std::function<double&(FieldModel&)>& parameter,
+           HeldOutTrials* held_out, FieldModel* model, double* score) {
   const auto start = std::find(ladder.begin(), ladder.end(), parameter(*model));
   for (const std::ptrdiff_t direction : {-1, 1}) {
     bool moved = false;
@@ -107,7 +107,7 @@ void Climb(const HeldOutTrials& held_out, std::span<const double> ladder,
          at += direction) {
       FieldModel trial = *model;
       parameter(trial) = ladder[static_cast<std::size_t>(at)];
-      const double trial_score = ModelScore(held_out, trial);
+      const double trial_score = ModelScore(trial, held_out);
       if (!(trial_score > *score)) break;
       *score = trial_score;
       *model = trial;
@@ -121,9 +121,9 @@ void Climb(const HeldOutTrials& held_out, std::span<const double> ladder,
 
 std::optional<double> PlacementScore(const FloorSurvey& survey, const TrainerSettings& settings) {
   const Executor in_order = RunInOrder;
-  const HeldOutTrials held_out(survey, settings, kSearchTransmitters, in_order);
+  HeldOutTrials held_out(survey, settings, kSearchTransmitters, in_order);
   if (!held_out.enough()) return std::nullopt;
-  return ModelScore(held_out, FieldModel(), kAllWalks);
+  return ModelScore(FieldModel(), &held_out, kAllWalks);
 }
 
 FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& settings,
@@ -132,17 +132,17 @@ FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& se
   constexpr std::array kBandwidths{1.2, 1.7, 2.5, 3.5, 5.0, 7.0};
   constexpr std::array kNoises{2.0, 3.0, 4.0, 5.0, 6.0};
   FieldModel model;
-  const HeldOutTrials held_out(survey, settings, kSearchTransmitters, run);
+  HeldOutTrials held_out(survey, settings, kSearchTransmitters, run);
   if (held_out.enough()) {
-    double score = ModelScore(held_out, model);
+    double score = ModelScore(model, &held_out);
     Climb(
-        held_out, kLengths, [](FieldModel& m) -> double& { return m.prior.length_m; }, &model,
+        kLengths, [](FieldModel& m) -> double& { return m.prior.length_m; }, &held_out, &model,
         &score);
     Climb(
-        held_out, kBandwidths, [](FieldModel& m) -> double& { return m.hear_bandwidth_m; }, &model,
+        kBandwidths, [](FieldModel& m) -> double& { return m.hear_bandwidth_m; }, &held_out, &model,
         &score);
     Climb(
-        held_out, kNoises, [](FieldModel& m) -> double& { return m.prior.noise_db; }, &model,
+        kNoises, [](FieldModel& m) -> double& { return m.prior.noise_db; }, &held_out, &model,
         &score);
   }
   model.sigma_scale = LeftOutSigmaScale(CollectSamples(survey.scans, settings), model.prior);
@@ -151,7 +151,7 @@ FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& se
 
 MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
                             const TrainerSettings& settings, const Executor& run) {
-  const HeldOutTrials held_out(survey, settings, kCalibrationTransmitters, run);
+  HeldOutTrials held_out(survey, settings, kCalibrationTransmitters, run);
   if (!held_out.enough()) return {};
   std::vector<HeldOutPiece> pieces;
   for (std::size_t fold = 0; fold < kCalibrationFolds; ++fold) {

@@ -37,8 +37,8 @@ double TopOfParabola(const Scores& scores) {
   return kLadder[static_cast<std::size_t>(best)];
 }
 
-// How well the map of each floor places walks held out of it where every reading is where the person
-// was that much later; nothing where no floor has enough walks.
+// How well the map of each floor places walks held out of it where every reading is where the
+// person was that much later; nothing where no floor has enough walks.
 std::optional<double> ScoreOfLag(double lag_s, const Building& building,
                                  const std::vector<SurveyWalk>& walks,
                                  const std::vector<std::vector<std::int32_t>>& site_index,

@@ -65,7 +65,7 @@ void TrainMaps(const TrainerSettings& settings, const Executor& run, Site* site)
       const FloorSurvey survey = SurveyOf(*site, floor, radio, settings);
       if (survey.scans.empty()) continue;
       const FieldModel model = SelectFieldModel(survey, settings, run);
-      RadioMap map = BuildMap(survey, model, settings, {}, run);
+      RadioMap map = BuildMap(MakeMapInput(survey, settings), model, settings, run);
       const MapCalibration calibration = CalibrateMap(survey, model, settings, run);
       map.n_eff = calibration.n_eff;
       map.hear_weight = calibration.hear_weight;
@@ -102,11 +102,11 @@ void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* 
   for (const RadioMap& before : calibrated.maps) {
     const FloorSurvey survey = SurveyOf(*site, before.floor, before.radio, settings);
     if (survey.scans.empty()) continue;
-    const FieldModel model = SelectFieldModel(
-        SurveyOf(calibrated, before.floor, before.radio, settings), settings);
+    const FieldModel model =
+        SelectFieldModel(SurveyOf(calibrated, before.floor, before.radio, settings), settings);
     // With the survey's samples merged as ever, what is added would blur them.
     const MapDetail detail = {.max_samples = 900};
-    RadioMap map = BuildMap(survey, model, settings, detail);
+    RadioMap map = BuildMap(MakeMapInput(survey, settings, detail), model, settings);
     map.n_eff = before.n_eff;
     map.hear_weight = before.hear_weight;
     map.map_error_sigma_m = before.map_error_sigma_m;
