@@ -7,8 +7,9 @@ namespace walkgraph {
 // that a result does not depend on the machine.
 struct SolverSettings {
   int max_iterations = 50;
-  // Relative decrease of the cost that ends the search: far below a nat for any walk.
-  double function_tolerance = 1e-6;
+  // Relative decrease of the cost that ends the search: some hundredths of a nat for walks of
+  // minutes. A tenth of it moves answers by centimetres and takes half as long again.
+  double function_tolerance = 1e-5;
   int hypotheses = 4;          // dead-reckoned starts beside those of the discrete smoother
   double mode_limit_nats = 6;  // modes this much worse than the best are dropped
   double distinct_m = 1.0;     // root mean square distance under which two solutions are one mode
