@@ -30,8 +30,8 @@ AreaRaster RasterOf(const Site& site, int floor, const AreaSettings& settings) {
   return {};
 }
 
-// Fields of the rasters that were asked for last. Every walk of a floor asks for the same one, which
-// takes longer to make than to compare. What comes out is the same as if each were made anew.
+// Fields of the rasters that were asked for last. Every walk of a floor asks for the same one,
+// which takes longer to make than to compare. What comes out is the same as if each were made anew.
 class RecentFields {
  public:
   AreaField Of(const AreaRaster& raster) {

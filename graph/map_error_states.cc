@@ -179,10 +179,10 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
   for (int k = 0; k < times.count(); ++k) {
     SparseConditional conditional;
     if (k > 0 && walk->floors.At(times.Time(k - 1)) == walk->floors.At(times.Time(k))) {
-      const double rho = knots.kernel.Correlation(
-          Interpolate(walk->walked_m, times.Time(k)) -
-              Interpolate(walk->walked_m, times.Time(k - 1)),
-          settings.knot_s);
+      const double rho =
+          knots.kernel.Correlation(Interpolate(walk->walked_m, times.Time(k)) -
+                                       Interpolate(walk->walked_m, times.Time(k - 1)),
+                                   settings.knot_s);
       conditional = {{k - 1}, Eigen::VectorXd::Constant(1, rho), 1 - rho * rho};
     }
     knots.factors.push_back(walk->graph.AddFactor(MakeMapErrorFactor(knots, k, conditional, kind)));
