@@ -50,9 +50,8 @@ std::unique_ptr<Estimator> Own(Method method) {
 constexpr MethodDescription kViterbiDescription{
     "viterbi", "the graph's motion, radio map and noise on a lattice; its proposal too",
     "Viterbi, IEEE Trans. Information Theory 13, 1967",
-    "cell and heading offset are the hidden state, cells off the plan cost what they cost the "
-    "graph "
-    "(factors.area); no covariance"};
+    "cell and heading offset are the hidden state; cells off the plan cost what they cost the "
+    "graph (factors.area); no covariance"};
 
 constexpr MethodDescription kWindowDescription{
     "window", "the factor graph over the last seconds, as a phone could run it",

@@ -1,5 +1,8 @@
 // The verbs that learn from walks.
+#include <gflags/gflags.h>
+
 #include <algorithm>
+#include <string>
 
 #include "common_flags.h"
 #include "eval/site_update.h"
@@ -40,13 +43,18 @@ SiteUpdate UpdateOfFlag() {
   return static_cast<SiteUpdate>(name - kSiteUpdateNames.begin());
 }
 
+// Empty where the command line names none: the flag's default is another verb's.
+std::string MethodOfFlag() {
+  return gflags::GetCommandLineFlagInfoOrDie("method").is_default ? "" : FLAGS_method;
+}
+
 int RunSurvey(const CommandLine& line) {
   if (FLAGS_update.empty() && FLAGS_site.empty()) return SurveyDataset(Options(line));
   RequireFlag("update", FLAGS_update);
   RequireFlag("site", FLAGS_site);
   return UpdateSurveyedSite({.learn = Options(line),
                              .site = FLAGS_site,
-                             .method = FLAGS_method,
+                             .method = MethodOfFlag(),
                              .update = UpdateOfFlag(),
                              .floor_given = FloorGiven()});
 }
