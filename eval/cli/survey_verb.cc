@@ -43,13 +43,25 @@ SiteUpdate UpdateOfFlag() {
   return static_cast<SiteUpdate>(name - kSiteUpdateNames.begin());
 }
 
+bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
+
 // Empty where the command line names none: the flag's default is another verb's.
-std::string MethodOfFlag() {
-  return gflags::GetCommandLineFlagInfoOrDie("method").is_default ? "" : FLAGS_method;
+std::string MethodOfFlag() { return IsGiven("method") ? FLAGS_method : ""; }
+
+// A survey has its walks' truth, so that nothing locates them and their floors are known.
+void RefuseFlagsOfUpdates() {
+  for (const char* flag : {"method", "floor"}) {
+    if (IsGiven(flag)) {
+      throw UsageError("--" + std::string(flag) + " is for --update, expected --update and --site");
+    }
+  }
 }
 
 int RunSurvey(const CommandLine& line) {
-  if (FLAGS_update.empty() && FLAGS_site.empty()) return SurveyDataset(Options(line));
+  if (FLAGS_update.empty() && FLAGS_site.empty()) {
+    RefuseFlagsOfUpdates();
+    return SurveyDataset(Options(line));
+  }
   RequireFlag("update", FLAGS_update);
   RequireFlag("site", FLAGS_site);
   return UpdateSurveyedSite({.learn = Options(line),

@@ -54,6 +54,18 @@ TEST(BadInput, UnknownMethodOfSmooth) {
   EXPECT_FALSE(Exists(out));
 }
 
+// A survey would silently do without them.
+TEST(BadInput, SurveyWithFlagsOfItsUpdate) {
+  const std::string out = FreshPath("site");
+  for (const std::string flag : {"method=viterbi", "floor=given"}) {
+    const ProgramResult result =
+        RunWalkgraph({"survey", "--dataset=" + kSample + "/survey", "--out=" + out, "--" + flag});
+    EXPECT_EQ(result.exit_code, kUsage);
+    EXPECT_THAT(result.output, AllOf(HasSubstr("is for --update"), HasSubstr("expected")));
+  }
+  EXPECT_FALSE(Exists(out));
+}
+
 TEST(BadInput, MissingRecording) {
   const ProgramResult result = RunWalkgraph({"inspect", "/nowhere/walk.txt"});
   EXPECT_EQ(result.exit_code, kBadInput);
