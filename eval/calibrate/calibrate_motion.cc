@@ -28,11 +28,13 @@ DeadReckonedPath PlainPath(const Building& building, const Evidence& evidence) {
 }
 
 // The error of one step, from how the legs' errors grow with their steps: what they do not grow
-// with belongs to the waypoints.
+// with belongs to the waypoints. Where the legs' value wanders, that grows faster.
 double StepSigma(const LegDeviations& deviations) {
   constexpr double kSmallestM = 0.05;  // sway of the body and timing of the step
-  const Line line = VarianceOverLag(deviations.deviation_m, deviations.steps);
-  return std::max(kSmallestM, std::sqrt(line.slope));
+  std::vector<std::vector<double>> columns = {std::vector<double>(deviations.steps.size(), 1.0),
+                                              deviations.steps};
+  if (!deviations.wander.empty()) columns.push_back(deviations.wander);
+  return std::max(kSmallestM, std::sqrt(VarianceComponents(deviations.deviation_m, columns)[1]));
 }
 
 class Report {
@@ -136,8 +138,9 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
                 "pairs of legs", &settings->heading_increment.sigma_rad_per_sqrt_s);
   }
   const bool has_turn = turn.pairs >= kMinSamples;
+  // A walk has no mean direction on a gyroscope that drifts.
   const LegDeviations across =
-      DeviationsFromWalk(has_turn ? by_gyroscope : absolute, &Leg::heading_rad, true);
+      DeviationsFromNeighbours(has_turn ? by_gyroscope : absolute, &Leg::heading_rad, true);
   if (across.steps.size() >= kMinSamples) {
     report->Set("step.sigma_across_m", StepSigma(across), across.steps.size(), "legs",
                 &settings->step.sigma_across_m);
@@ -152,9 +155,18 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
               offset.pairs, "pairs of legs", &settings->absolute_heading.sigma_rad);
 }
 
-// Mean drift of absolute heading against integrated yaw over a walk, rad/s; NaN for short walks.
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Drift of absolute heading against integrated yaw, rad/s; NaN for short walks. The median over
+// spans of the walk, in each of which it is less than half a turn: a phone that is held upright for
+// a moment has a heading that turns round and may come back by the other way, and from then on its
+// unwrapped heading is whole turns off.
 double DriftRate(const Evidence& evidence) {
-  constexpr double kMinSeconds = 10;
+  constexpr double kMinSeconds = 10, kLongestSpanS = 20, kIntervalS = 0.5;
   const Stream<double>& heading = evidence.absolute_heading_rad;
   const Stream<double>& yaw = evidence.gyro_yaw_rad;
   if (heading.empty() || yaw.empty()) return std::nan("");
@@ -162,9 +174,15 @@ double DriftRate(const Evidence& evidence) {
   const TimeNs end = std::min(heading.time_ns.back(), yaw.time_ns.back());
   const double seconds = SecondsBetween(begin, end);
   if (seconds < kMinSeconds) return std::nan("");
-  const double drift = Interpolate(heading, end) - Interpolate(yaw, end) -
-                       Interpolate(heading, begin) + Interpolate(yaw, begin);
-  return drift / seconds;
+  const double span_s = std::min(kLongestSpanS, 0.75 * seconds);
+  const auto apart = [&](TimeNs time) {
+    return Interpolate(heading, time) - Interpolate(yaw, time);
+  };
+  std::vector<double> rates;
+  for (TimeNs from = begin; from + DurationNs(span_s) <= end; from += DurationNs(kIntervalS)) {
+    rates.push_back(WrapAngle(apart(from + DurationNs(span_s)) - apart(from)) / span_s);
+  }
+  return Median(std::move(rates));
 }
 
 void CalibrateGyroscopeBias(const std::vector<CalibrationWalk>& walks, FactorSettings* settings,

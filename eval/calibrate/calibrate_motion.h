@@ -35,12 +35,11 @@ struct CalibratedValue {
 //  - random walk: the squared difference of two legs of one walk is 2 noise + rate x time apart, a
 //    straight line fitted over all pairs;
 //  - error of a step: how the squared error of a leg grows with its steps (what it does not grow
-//  with
-//    is the waypoints' own); sideways from legs reckoned on the gyroscope, which has no compass in
-//    it;
+//    with is the waypoints' own); sideways from legs reckoned on the gyroscope, which has no
+//    compass in it, against the legs before and after, and beside what their direction wanders;
 //  - the absolute heading's sigma: what legs reckoned on it err beyond those on the gyroscope, as
 //    independent samples `correlation_s` apart;
-//  - gyroscope bias: from the drift of absolute heading against integrated yaw.
+//  - gyroscope bias: from the drift of absolute heading against integrated yaw over 20 s.
 // Spreads are clipped at three robust standard deviations, so that a few wrong legs do not decide.
 std::vector<CalibratedValue> CalibrateMotion(const Building& building,
                                              const std::vector<CalibrationWalk>& walks,

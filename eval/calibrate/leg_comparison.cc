@@ -20,6 +20,20 @@ int StepsBetween(const Evidence& evidence, TimeNs begin, TimeNs end) {
       }));
 }
 
+// Variance, over its rate, of a random walk's mean over a leg about the line between its means over
+// the legs before and after, `later` being the share of the way from one to the other. (Means over
+// neighbouring times a and b differ by (a + b) / 3, and both differences by b share -b / 6.)
+double WanderBetween(const Leg& before, const Leg& leg, const Leg& after, double later) {
+  const auto between = [](const Leg& from, const Leg& to) {
+    const double both_s = from.duration_s + to.duration_s;
+    const double gap_s = SecondsBetween(from.middle_ns, to.middle_ns) - both_s / 2;
+    return both_s / 3 + gap_s;
+  };
+  const double earlier = 1.0 - later;
+  return earlier * earlier * between(before, leg) + later * later * between(leg, after) -
+         earlier * later * leg.duration_s / 3;
+}
+
 }  // namespace
 
 WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadReckonedPath& path) {
@@ -84,6 +98,36 @@ LegDeviations DeviationsFromWalk(const std::vector<WalkLegs>& walks, double Leg:
       deviations.deviation_m.push_back(
           leg.length_m * (circular ? WrapAngle(difference) : difference) / std::sqrt(visible));
       deviations.steps.push_back(leg.steps);
+    }
+  }
+  return deviations;
+}
+
+LegDeviations DeviationsFromNeighbours(const std::vector<WalkLegs>& walks, double Leg::*value,
+                                       bool circular) {
+  LegDeviations deviations;
+  const auto difference = [&](const Leg& from, const Leg& to) {
+    const double plain = to.*value - from.*value;
+    return circular ? WrapAngle(plain) : plain;
+  };
+  for (const WalkLegs& legs : walks) {
+    for (std::size_t i = 1; i + 1 < legs.size(); ++i) {
+      const Leg &before = legs[i - 1], &leg = legs[i], &after = legs[i + 1];
+      const double span_s = SecondsBetween(before.middle_ns, after.middle_ns);
+      if (span_s > kMaxLagS) continue;
+      const double later = SecondsBetween(before.middle_ns, leg.middle_ns) / span_s;
+      const double earlier = 1.0 - later;
+      const double turned = difference(before, leg) - later * difference(before, after);
+      // The neighbours' own errors, as the leg's length turns them into metres at its end.
+      const double from_before = std::pow(earlier * leg.length_m / before.length_m, 2);
+      const double from_after = std::pow(later * leg.length_m / after.length_m, 2);
+      const double ends = 1.0 + from_before + from_after;
+      deviations.deviation_m.push_back(leg.length_m * (circular ? WrapAngle(turned) : turned) /
+                                       std::sqrt(ends));
+      deviations.steps.push_back(
+          (leg.steps + from_before * before.steps + from_after * after.steps) / ends);
+      deviations.wander.push_back(leg.length_m * leg.length_m *
+                                  WanderBetween(before, leg, after, later) / ends);
     }
   }
   return deviations;

@@ -43,9 +43,17 @@ PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, doubl
 struct LegDeviations {
   std::vector<double> deviation_m;
   std::vector<double> steps;
+  std::vector<double> wander;  // see DeviationsFromNeighbours
 };
 LegDeviations DeviationsFromWalk(const std::vector<WalkLegs>& walks, double Leg::*value,
                                  bool circular);
+
+// The same against the legs before and after, interpolated by time: neither what a walk's legs
+// share nor a steady drift is in it. With c + s n the variance of the end of a leg of n steps, and
+// r the rate at which the value wanders, that of a deviation is c + s `steps` + r `wander` (m^2 per
+// rate).
+LegDeviations DeviationsFromNeighbours(const std::vector<WalkLegs>& walks, double Leg::*value,
+                                       bool circular);
 
 }  // namespace walkgraph
 

@@ -1,7 +1,10 @@
 #include "eval/calibrate/robust_moments.h"
 
+#include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace walkgraph {
 namespace {
@@ -18,6 +21,20 @@ double ClipWidth(const std::vector<double>& values, double center) {
   deviation.reserve(values.size());
   for (const double value : values) deviation.push_back(std::abs(value - center));
   return 3.0 * 1.4826 * Median(std::move(deviation));
+}
+
+// Least squares on the columns in `subset`, zero for the others; nothing where they are dependent.
+std::optional<Eigen::VectorXd> FitSubset(const Eigen::MatrixXd& normal,
+                                         const Eigen::VectorXd& right, unsigned subset) {
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index c = 0; c < right.size(); ++c) {
+    if ((subset >> c & 1U) != 0) chosen.push_back(c);
+  }
+  const Eigen::FullPivLU<Eigen::MatrixXd> solver(normal(chosen, chosen));
+  if (!solver.isInvertible()) return std::nullopt;
+  Eigen::VectorXd fit = Eigen::VectorXd::Zero(right.size());
+  fit(chosen) = solver.solve(right(chosen));
+  return fit;
 }
 
 }  // namespace
@@ -40,27 +57,34 @@ Moments ClippedMoments(const std::vector<double>& values) {
   return moments;
 }
 
-Line VarianceOverLag(const std::vector<double>& differences, const std::vector<double>& lag_s) {
-  if (differences.empty()) return {};
+std::vector<double> VarianceComponents(const std::vector<double>& differences,
+                                       const std::vector<std::vector<double>>& columns) {
+  const auto count = static_cast<Eigen::Index>(columns.size());
+  std::vector<double> coefficients(columns.size(), 0.0);
+  if (differences.empty()) return coefficients;
   const double width = ClipWidth(differences, 0.0);
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(count), row(count);
   for (std::size_t i = 0; i < differences.size(); ++i) {
     if (std::abs(differences[i]) > width) continue;
-    const double x = lag_s[i], y = differences[i] * differences[i];
-    n += 1;
-    sx += x;
-    sy += y;
-    sxx += x * x;
-    sxy += x * y;
+    for (Eigen::Index c = 0; c < count; ++c) row[c] = columns[static_cast<std::size_t>(c)][i];
+    normal += row * row.transpose();
+    right += differences[i] * differences[i] * row;
   }
-  const double determinant = n * sxx - sx * sx;
-  if (!(determinant > 0)) return {sy / n, 0.0};
-  Line line;
-  line.slope = (n * sxy - sx * sy) / determinant;
-  line.intercept = (sy - line.slope * sx) / n;
-  if (line.slope < 0) return {sy / n, 0.0};
-  if (line.intercept < 0) return {0.0, sxy / sxx};
-  return line;
+  double most = 0;  // that a fit takes off the sum of squares
+  for (unsigned subset = 1; subset < 1U << count; ++subset) {
+    const std::optional<Eigen::VectorXd> fit = FitSubset(normal, right, subset);
+    if (!fit || fit->minCoeff() < 0 || !(fit->dot(right) > most * (1 + 1e-9))) continue;
+    most = fit->dot(right);
+    coefficients.assign(fit->begin(), fit->end());
+  }
+  return coefficients;
+}
+
+Line VarianceOverLag(const std::vector<double>& differences, const std::vector<double>& lag_s) {
+  const std::vector<double> ones(differences.size(), 1.0);
+  const std::vector<double> fit = VarianceComponents(differences, {ones, lag_s});
+  return {fit[0], fit[1]};
 }
 
 }  // namespace walkgraph

@@ -21,9 +21,13 @@ struct Line {
   double slope = 0;
 };
 
-// Variance of zero-mean `differences` as a line over `lag_s`, by least squares on their squares
-// after the clipping above. Both coefficients are at least zero: a fit that would leave the
-// quadrant is repeated with the offending one at zero.
+// Variance of zero-mean `differences` as a sum of `columns` (one value a difference each), by least
+// squares on their squares after the clipping above. Coefficients are at least zero: of all subsets
+// of columns whose fit is, the best; the first where columns cannot be told apart.
+std::vector<double> VarianceComponents(const std::vector<double>& differences,
+                                       const std::vector<std::vector<double>>& columns);
+
+// The same as a line over `lag_s`.
 Line VarianceOverLag(const std::vector<double>& differences, const std::vector<double>& lag_s);
 
 }  // namespace walkgraph

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -152,6 +153,75 @@ TEST(LegComparisonTest, DeviationsHaveTheVarianceOfTheLegs) {
   for (const double deviation : deviations.deviation_m) squares += deviation * deviation;
   EXPECT_NEAR(squares / 12'000, std::pow(10 * 0.05, 2), 0.01);
   EXPECT_EQ(deviations.steps.front(), 14);
+}
+
+// A leg's error and half of each neighbour's make its deviation; the sum is brought back to the
+// variance of one leg's end.
+TEST(LegComparisonTest, DeviationsFromNeighboursToo) {
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal(0, 0.05);
+  std::vector<WalkLegs> walks;
+  for (int i = 0; i < 12'000; ++i)
+    walks.push_back(LegsOf({normal(random), normal(random), normal(random)}));
+  walks.push_back(LegsOf({9.0, 8.0}));  // too few legs for neighbours
+  const LegDeviations deviations = DeviationsFromNeighbours(walks, &Leg::heading_rad, true);
+  ASSERT_EQ(deviations.deviation_m.size(), 12'000U);
+  double squares = 0;
+  for (const double deviation : deviations.deviation_m) squares += deviation * deviation;
+  EXPECT_NEAR(squares / 12'000, std::pow(10 * 0.05, 2), 0.01);
+  EXPECT_NEAR(deviations.steps.front(), 14, 1e-9);
+}
+
+TEST(LegComparisonTest, SteadyDriftIsNoDeviation) {
+  const LegDeviations deviations = DeviationsFromNeighbours(
+      {LegsOf({2.9, 3.1, 3.3 - 2 * std::acos(-1.0)})}, &Leg::heading_rad, true);
+  ASSERT_EQ(deviations.deviation_m.size(), 1U);
+  EXPECT_NEAR(deviations.deviation_m[0], 0, 1e-12);
+}
+
+// Means of a random walk over legs that follow each other, of 12, 8 and 20 s.
+TEST(LegComparisonTest, WanderIsThatOfARandomWalk) {
+  constexpr double kStepS = 0.1, kRate = 0.02 * 0.02;
+  constexpr std::array kSeconds{12, 8, 20};
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, std::sqrt(kRate * kStepS));
+  std::vector<WalkLegs> walks;
+  for (int i = 0; i < 4000; ++i) {
+    WalkLegs legs = LegsOf({0, 0, 0});
+    double value = 0, begin_s = 0;
+    for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+      const int steps = static_cast<int>(kSeconds[leg] / kStepS);
+      for (int k = 0; k < steps; ++k) legs[leg].heading_rad += (value += normal(random)) / steps;
+      legs[leg].duration_s = kSeconds[leg];
+      legs[leg].middle_ns = DurationNs(begin_s + kSeconds[leg] / 2.0);
+      begin_s += kSeconds[leg];
+    }
+    walks.push_back(legs);
+  }
+  const LegDeviations deviations = DeviationsFromNeighbours(walks, &Leg::heading_rad, true);
+  double squares = 0;
+  for (const double deviation : deviations.deviation_m) squares += deviation * deviation;
+  EXPECT_NEAR(squares / 4000 / (kRate * deviations.wander.front()), 1.0, 0.08);
+}
+
+TEST(VarianceComponentsTest, TellsExactComponentsApart) {
+  std::vector<double> differences, ones, steps, wander;
+  for (int i = 1; i <= 50; ++i) {
+    ones.push_back(1);
+    steps.push_back(i % 7);
+    wander.push_back(i);
+    differences.push_back(std::sqrt(2.0 + 0.5 * steps.back() + 0.1 * wander.back()));
+  }
+  const std::vector<double> found = VarianceComponents(differences, {ones, steps, wander});
+  EXPECT_NEAR(found[0], 2.0, 1e-9);
+  EXPECT_NEAR(found[1], 0.5, 1e-9);
+  EXPECT_NEAR(found[2], 0.1, 1e-9);
+  // What would be negative is left out, and the others fitted without it.
+  std::vector<double> falling;
+  for (const double lag : wander) falling.push_back(60 - lag);
+  const std::vector<double> positive = VarianceComponents(differences, {falling, wander});
+  for (const double component : positive) EXPECT_GE(component, 0.0);
+  EXPECT_GT(positive[0] + positive[1], 0.0);
 }
 
 }  // namespace
