@@ -9,7 +9,7 @@
 #include "data/angle.h"
 #include "factors/map_sweeps.h"
 #include "solvers/baselines/lattice.h"
-#include "solvers/baselines/likelihood_grid.h"
+#include "solvers/baselines/sweep_costs.h"
 
 namespace walkgraph {
 namespace {
@@ -40,11 +40,10 @@ std::vector<PlacedEvidence> EvidenceOnLattice(const Site& site, const Evidence& 
   for (const RadioMap* map : MapsOnPath(site, settings.fingerprint, floors)) {
     const auto sweeps = CollectMapSweeps(site, *map, evidence, settings.fingerprint, floors);
     if (sweeps.empty()) continue;
-    const LikelihoodGrid grid(*map, lattice.centers_m(), settings.rssi_offset.SpreadDb(),
-                              settings.fingerprint.loss);
-    std::vector<std::vector<float>> nats = grid.Evaluate(sweeps);
+    const auto nats = EvaluateSweeps(*map, lattice.centers_m(), settings.rssi_offset.SpreadDb(),
+                                     settings.fingerprint.loss, sweeps);
     for (std::size_t s = 0; s < sweeps.size(); ++s) {
-      Append(sweeps[s].mean_heard_ns, std::move(nats[s]), &placed);
+      Append(sweeps[s].mean_heard_ns, (*nats)[s], &placed);
     }
   }
   for (const PositionAnchor& anchor : evidence.anchors) {

@@ -11,7 +11,7 @@
 #include "factors/map_sweeps.h"
 #include "solvers/baselines/discrete_motion.h"
 #include "solvers/baselines/lattice.h"
-#include "solvers/baselines/likelihood_grid.h"
+#include "solvers/baselines/sweep_costs.h"
 #include "solvers/baselines/trellis.h"
 
 namespace walkgraph {
@@ -44,10 +44,9 @@ class Emissions {
     const std::vector<MapSweep> sweeps =
         CollectMapSweeps(site, map, evidence, settings.fingerprint, floors, kPartSeconds);
     if (sweeps.empty()) return;
-    const LikelihoodGrid grid(map, lattice_.centers_m(), settings.rssi_offset.SpreadDb(),
-                              settings.fingerprint.loss);
-    const std::vector<std::vector<float>> costs = grid.Evaluate(sweeps);
-    for (std::size_t s = 0; s < sweeps.size(); ++s) AddMoved(sweeps[s].mean_heard_ns, costs[s]);
+    const auto costs = EvaluateSweeps(map, lattice_.centers_m(), settings.rssi_offset.SpreadDb(),
+                                      settings.fingerprint.loss, sweeps);
+    for (std::size_t s = 0; s < sweeps.size(); ++s) AddMoved(sweeps[s].mean_heard_ns, (*costs)[s]);
     any_ = true;
   }
 

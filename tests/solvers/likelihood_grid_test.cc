@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "solvers/baselines/sweep_costs.h"
 #include "solvers/synthetic_site.h"
 
 namespace walkgraph {
@@ -179,6 +180,37 @@ TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
       EXPECT_NEAR(nats[s][i], sweeps[s].weight * expected, 2e-3) << positions[i].transpose();
     }
   }
+}
+
+// What a thread remembers must never be another map's, another scan's or another loss's.
+TEST(EvaluateSweeps, IsTheGridsAnswerHoweverOftenAndInWhateverOrder) {
+  SyntheticSite one(1), other(2);
+  const Evidence evidence = one.Walk({{10, 10}, {30, 10}}, 0.1, 4);
+  const auto sweeps =
+      CollectMapSweeps(one.site, one.site.maps.front(), evidence, FingerprintSettings());
+  auto louder = sweeps;
+  louder[2].readings[0].rssi_dbm += 1;
+  const std::vector<Eigen::Vector2d> positions = {{5, 5}, {20, 12}, {33, 8}};
+  const std::vector<Eigen::Vector2d> moved = {{5, 5}, {20, 12}, {33, 9}};
+  const LossSettings none, huber = {LossKind::kHuber, 1.345};
+  RadioMap altered = one.site.maps.front();
+  altered.fields[0].log_sigma[7] += 0.5F;
+  const std::vector<const RadioMap*> maps = {&one.site.maps.front(), &other.site.maps.front(),
+                                             &altered};
+  for (int round = 0; round < 2; ++round) {
+    for (const RadioMap* map : maps) {
+      for (const auto& scans : {sweeps, louder}) {
+        for (const auto& places : {positions, moved}) {
+          for (const LossSettings& loss : {none, huber}) {
+            EXPECT_EQ(*EvaluateSweeps(*map, places, 3.0, loss, scans),
+                      LikelihoodGrid(*map, places, 3.0, loss).Evaluate(scans));
+          }
+        }
+      }
+    }
+  }
+  const auto first = EvaluateSweeps(one.site.maps.front(), positions, 3.0, none, sweeps);
+  EXPECT_EQ(first, EvaluateSweeps(one.site.maps.front(), positions, 3.0, none, sweeps));
 }
 
 }  // namespace
