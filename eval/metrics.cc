@@ -92,7 +92,7 @@ ErrorSummary Summarise(const std::vector<WaypointError>& errors) {
   std::sort(penalised.begin(), penalised.end());
   summary.ipin_m = Quantile(penalised, 0.75);
   summary.floor_accuracy = static_cast<double>(floors_correct) / summary.n;
-  if (with_covariance > 0) {
+  if (2 * with_covariance >= summary.n) {
     summary.coverage50 = static_cast<double>(inside50) / with_covariance;
     summary.coverage95 = static_cast<double>(inside95) / with_covariance;
     summary.nees = sum_of_nees / with_covariance;

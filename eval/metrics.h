@@ -49,7 +49,9 @@ struct ErrorSummary {
   // that the estimate is off (Potorti et al. 2017, Comparing the performance of indoor localization
   // systems through the EvAAL framework, Sensors 17).
   double ipin_m = std::numeric_limits<double>::quiet_NaN();
-  // Share of waypoints inside the 50 % and 95 % ellipses of the 2-D normal distribution.
+  // Share of waypoints inside the 50 % and 95 % ellipses of the 2-D normal distribution. These and
+  // the NEES are of the waypoints where the estimate has a covariance, if they are at least half of
+  // all: a method that claims none but where it has nothing to go by would be scored on that alone.
   double coverage50 = std::numeric_limits<double>::quiet_NaN();
   double coverage95 = std::numeric_limits<double>::quiet_NaN();
   double nees = std::numeric_limits<double>::quiet_NaN();  // mean; 2 where the covariance is right

@@ -95,6 +95,21 @@ TEST(Metrics, CoverageCountsInsideTheEllipses) {
   EXPECT_NEAR(summary.coverage95, 0.75, 1e-12);
 }
 
+TEST(Metrics, CoverageIsThatOfEstimatesThatClaimOne) {
+  WaypointError with, without;
+  with.error_m = without.error_m = 1;
+  with.nees = 1;
+  const ErrorSummary half = Summarise({with, without});
+  EXPECT_EQ(half.coverage95, 1);
+  EXPECT_EQ(half.nees, 1);
+  // Two of five: where the method has nothing else, not what it is.
+  const ErrorSummary few = Summarise({with, without, without, with, without});
+  EXPECT_TRUE(std::isnan(few.coverage50));
+  EXPECT_TRUE(std::isnan(few.coverage95));
+  EXPECT_TRUE(std::isnan(few.nees));
+  EXPECT_EQ(few.mean_m, 1);
+}
+
 TEST(Metrics, FixedPointIsOnItsFloorOnly) {
   const Truth truth = {TruthFrame::kBuilding, {{0, {3, 4}, 1}, {1, {0, 1}, 2}}};
   const std::vector<WaypointError> errors = ErrorsOfFixedPoint({0, 0}, 2, truth);
