@@ -73,7 +73,7 @@ EstimateResult RunMethod(const Estimator& estimator, const Site& site, const Evi
   const std::vector<PoseEstimate>& poses = result.trajectory.poses;
   if (!std::all_of(poses.begin(), poses.end(), IsFinite)) {
     result.status = EstimateStatus::kDiverged;
-    result.messages.push_back("a pose is not finite");
+    result.messages.emplace_back("a pose is not finite");
     result.trajectory = Trajectory();
   }
   return result;
