@@ -28,6 +28,8 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kResultEntries = {"run",          "trajectories", "states",
                                                  "explain",      "walks",        "scores.csv",
                                                  "summary.json", "building.json"};
+// What `report` adds to a folder of results that has the page's name; anybody's names elsewhere.
+const std::vector<std::string> kReportEntries = {"tables", "figures"};
 
 std::string HexDigits(std::uint64_t hash) {
   std::array<char, 17> text;
@@ -79,9 +81,13 @@ void WriteFileWholeVia(const std::string& scratch, const std::string& path,
 }
 
 void PrepareResultFolder(const std::string& dir) {
-  const std::string occupied = WhyOccupied(dir, kResultEntries);
+  std::vector<std::string> entries = kResultEntries;
+  if (fs::exists(fs::path(dir) / "run")) {
+    entries.insert(entries.end(), kReportEntries.begin(), kReportEntries.end());
+  }
+  const std::string occupied = WhyOccupied(dir, entries);
   if (!occupied.empty()) throw UsageError(occupied);
-  for (const std::string& name : kResultEntries) fs::remove_all(fs::path(dir) / name);
+  for (const std::string& name : entries) fs::remove_all(fs::path(dir) / name);
   fs::create_directories(fs::path(dir) / "run");
 }
 

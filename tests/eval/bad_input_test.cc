@@ -215,5 +215,27 @@ TEST(BadInput, AFolderWithOtherThingsIsNotOverwritten) {
   EXPECT_EQ(ReadText(out + "/thesis.tex"), "precious");
 }
 
+// A page named after the results puts its tables and figures among them; they go with the results.
+// The same names in a folder that holds no results are somebody's own.
+TEST(BadInput, ResultsWithTheirReportAreReplacedAndOthersFiguresAreNot) {
+  const std::string out = FreshPath("results");
+  const auto evaluate = [&out] {
+    return RunWalkgraph({"evaluate", "--train=" + kSample + "/survey",
+                         "--test=" + kSample + "/test", "--methods=wknn", "--out=" + out});
+  };
+  ASSERT_EQ(evaluate().exit_code, 0);
+  ASSERT_EQ(RunWalkgraph({"report", out, "--out=" + out + ".html"}).exit_code, 0);
+  ASSERT_TRUE(Exists(out + "/figures"));
+  const ProgramResult again = evaluate();
+  EXPECT_EQ(again.exit_code, 0) << again.output;
+  EXPECT_FALSE(Exists(out + "/figures"));
+  std::filesystem::remove_all(out);
+  std::filesystem::create_directories(out + "/figures");
+  const ProgramResult strangers = evaluate();
+  EXPECT_EQ(strangers.exit_code, kUsage);
+  EXPECT_THAT(strangers.output, HasSubstr("holds \"figures\""));
+  EXPECT_TRUE(Exists(out + "/figures"));
+}
+
 }  // namespace
 }  // namespace walkgraph
