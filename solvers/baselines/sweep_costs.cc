@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <set>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -46,11 +47,17 @@ void AddField(const RadioMap::TransmitterField& field, ContentHash* hash) {
   }
 }
 
-std::uint64_t HashOfPlaces(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m) {
+// Of the map only the fields that the sweeps ask for: all would take as long as the answer.
+std::uint64_t HashOfPlaces(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
+                           std::span<const MapSweep> sweeps) {
   ContentHash hash;
   hash.Add(map.grid.origin_m.x(), map.grid.origin_m.y(), map.grid.spacing_m, map.grid.columns,
            map.grid.rows, map.sigma_min_db, map.hear_weight);
-  for (const RadioMap::TransmitterField& field : map.fields) AddField(field, &hash);
+  std::set<int> asked;
+  for (const MapSweep& sweep : sweeps) {
+    for (const MapSweep::Reading& reading : sweep.readings) asked.insert(reading.field);
+  }
+  for (const int field : asked) AddField(map.fields[static_cast<std::size_t>(field)], &hash);
   hash.Add(std::span<const float>(map.silence_nats));
   for (const Eigen::Vector2d& position : positions_m) hash.Add(position.x(), position.y());
   return hash.value();
@@ -110,7 +117,7 @@ std::shared_ptr<const SweepCosts> EvaluateSweeps(const RadioMap& map,
                                                  const LossSettings& loss,
                                                  std::span<const MapSweep> sweeps) {
   static thread_local RecentCosts recent;
-  const RecentCosts::Key key = {HashOfPlaces(map, positions_m),
+  const RecentCosts::Key key = {HashOfPlaces(map, positions_m, sweeps),
                                 HashOfSweeps(rssi_offset_sigma_db, loss, sweeps)};
   if (auto known = recent.Find(key)) return known;
   const LikelihoodGrid grid(map, positions_m, rssi_offset_sigma_db, loss);

@@ -17,8 +17,8 @@ using SweepCosts = std::vector<std::vector<float>>;
 
 // What a LikelihoodGrid of the same arguments has for the sweeps. A thread keeps its last ones,
 // some megabytes of them: the configurations of a study ask for the same walk on the same map one
-// after the other, which takes ten times as long to evaluate as to recognise (by hashes of all
-// contents, 128 bits). The answer is the same as if each were made anew.
+// after the other. They are recognised by hashes of all contents that matter (128 bits); the answer
+// is the same as if each were made anew.
 std::shared_ptr<const SweepCosts> EvaluateSweeps(const RadioMap& map,
                                                  std::span<const Eigen::Vector2d> positions_m,
                                                  double rssi_offset_sigma_db,
