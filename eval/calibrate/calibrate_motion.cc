@@ -155,12 +155,6 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
               offset.pairs, "pairs of legs", &settings->absolute_heading.sigma_rad);
 }
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Drift of absolute heading against integrated yaw, rad/s; NaN for short walks. The median over
 // spans of the walk, in each of which it is less than half a turn: a phone that is held upright for
 // a moment has a heading that turns round and may come back by the other way, and from then on its

@@ -9,12 +9,6 @@
 namespace walkgraph {
 namespace {
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Half width of the interval about `center` that counts.
 double ClipWidth(const std::vector<double>& values, double center) {
   std::vector<double> deviation;
@@ -38,6 +32,12 @@ std::optional<Eigen::VectorXd> FitSubset(const Eigen::MatrixXd& normal,
 }
 
 }  // namespace
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 Moments ClippedMoments(const std::vector<double>& values) {
   Moments moments;

@@ -6,6 +6,9 @@
 
 namespace walkgraph {
 
+// The upper one of two middle values. Precondition: not empty.
+double Median(std::vector<double> values);
+
 struct Moments {
   double mean = 0;
   double variance = 0;      // about the mean, with n - 1

@@ -34,8 +34,7 @@ struct Gait {
   double turn_rad_per_sqrt_s = 0;  // of the walking direction against the gyroscope
   double heading_error_rad = 0;    // of the absolute heading, anew every two seconds
   bool compass = true;
-  int slips =
-      0;  // whole turns that the unwrapped heading is off by in the end, all in one direction
+  int slips = 0;  // whole turns by which the unwrapped heading is off in the end
 };
 
 // Walks of straight legs between waypoints, of 8 to 40 steps each.
@@ -166,8 +165,8 @@ TEST(CalibrateMotionTest, RecoversTheGyroscopeBias) {
   EXPECT_NEAR(Calibrate(gait).gyro_bias.prior_sigma_radps, 0.01, 0.0015);
 }
 
-// A gyroscope that drifts turns the later legs of a walk by half a radian: that is no sideways
-// step.
+// A gyroscope that drifts turns the later legs of a walk by a third of a radian: that is no
+// sideways step.
 TEST(CalibrateMotionTest, TheGyroscopesDriftIsNoErrorOfSteps) {
   Gait gait;
   gait.bias_sigma_radps = 0.003;

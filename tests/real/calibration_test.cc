@@ -9,6 +9,7 @@
 #include "data/dataset.h"
 #include "eval/calibrate/calibrate_motion.h"
 #include "eval/loaded_walk.h"
+#include "real/recorded_walks.h"
 
 namespace walkgraph {
 namespace {
@@ -23,10 +24,7 @@ TEST(CalibrationRecorded, MotionIsThatOfPeopleAndPhones) {
     const std::string path = std::string(root) + folder;
     if (!std::filesystem::is_directory(path)) continue;
     const Dataset dataset = OpenDataset(path);
-    std::vector<LoadedWalk> walks;
-    for (const WalkFile& file : dataset.walks) {
-      walks.push_back(LoadWalk(file, dataset.building, {}, true));
-    }
+    const std::vector<LoadedWalk> walks = LoadRecordedWalks(dataset);
     std::vector<CalibrationWalk> with_truth;
     for (const LoadedWalk& walk : walks) with_truth.push_back({&walk.evidence, &walk.truth});
     FactorSettings settings;

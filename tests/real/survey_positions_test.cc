@@ -9,6 +9,7 @@
 #include "data/dataset.h"
 #include "eval/loaded_walk.h"
 #include "eval/survey_placement.h"
+#include "real/recorded_walks.h"
 
 namespace walkgraph {
 namespace {
@@ -35,10 +36,7 @@ TEST(SurveyPositionsRecorded, TheSmootherGoesRoundCorners) {
     const std::string path = std::string(root) + folder;
     if (!std::filesystem::is_directory(path)) continue;
     const Dataset dataset = OpenDataset(path);
-    std::vector<LoadedWalk> walks;
-    for (const WalkFile& file : dataset.walks) {
-      walks.push_back(LoadWalk(file, dataset.building, {}, true));
-    }
+    const std::vector<LoadedWalk> walks = LoadRecordedWalks(dataset);
     const ErrorSummary straight =
         LeftOutSummary(dataset.building, walks, SurveyPositions::kWalkedDistance);
     const ErrorSummary smooth = LeftOutSummary(dataset.building, walks, SurveyPositions::kSmoother);
