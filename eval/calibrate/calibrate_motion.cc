@@ -16,6 +16,7 @@ constexpr std::size_t kMinSamples = 10;
 // A random walk that walks of a minute cannot tell from none: 1 degree, and 1 %, in half a minute.
 constexpr double kSmallestHeadingWalk = 0.003;  // rad/sqrt(s)
 constexpr double kSmallestScaleWalk = 0.002;    // 1/sqrt(s)
+constexpr double kSmallestScaleSpread = 0.01;   // no walks tell people apart by less
 
 // Dead reckoning with all slow states at zero, so that what is learnt is absolute.
 DeadReckonedPath PlainPath(const Building& building, const Evidence& evidence) {
@@ -29,12 +30,17 @@ DeadReckonedPath PlainPath(const Building& building, const Evidence& evidence) {
 
 // The error of one step, from how the legs' errors grow with their steps: what they do not grow
 // with belongs to the waypoints. Where the legs' value wanders, that grows faster.
-double StepSigma(const LegDeviations& deviations) {
-  constexpr double kSmallestM = 0.05;  // sway of the body and timing of the step
+LegError FitLegError(const LegDeviations& deviations) {
   std::vector<std::vector<double>> columns = {std::vector<double>(deviations.steps.size(), 1.0),
                                               deviations.steps};
   if (!deviations.wander.empty()) columns.push_back(deviations.wander);
-  return std::max(kSmallestM, std::sqrt(VarianceComponents(deviations.deviation_m, columns)[1]));
+  const std::vector<double> parts = VarianceComponents(deviations.deviation_m, columns);
+  return {parts[0], parts[1]};
+}
+
+double StepSigma(const LegError& error) {
+  constexpr double kSmallestM = 0.05;  // sway of the body and timing of the step
+  return std::max(kSmallestM, std::sqrt(error.step_m2));
 }
 
 class Report {
@@ -78,24 +84,44 @@ LegStatistics Summarise(const std::vector<WalkLegs>& walks, double Leg::*value, 
           VarianceOverLag(pairs.difference, pairs.lag_s), pairs.difference.size()};
 }
 
+double SecondsOf(const WalkLegs& legs) {
+  return SecondsBetween(legs.front().middle_ns, legs.back().middle_ns) +
+         (legs.front().duration_s + legs.back().duration_s) / 2;
+}
+
+// What walks begin with. The means that they show spread further: legs have errors, and the value
+// wanders from where it began (by a third of what the whole walk adds, in the mean).
+Moments ScaleAtTheStart(const std::vector<WalkLegs>& walks, const LegError& error,
+                        double wander_per_s) {
+  std::vector<double> means, variances;
+  for (const WalkLegs& legs : walks) {
+    means.push_back(WalkMean(legs, &Leg::log_scale, false));
+    variances.push_back(VarianceOfWalkMean(legs, error) + wander_per_s * SecondsOf(legs) / 3.0);
+  }
+  return RandomEffects(means, variances);
+}
+
 void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings, Report* report) {
   const LegStatistics scale = Summarise(walks, &Leg::log_scale, false);
-  const Moments& means = scale.walk_means;
+  const LegDeviations along = DeviationsFromWalk(walks, &Leg::log_scale, false);
+  LegError error;
+  if (along.steps.size() >= kMinSamples) {
+    error = FitLegError(along);
+    report->Set("step.sigma_along_m", StepSigma(error), along.steps.size(), "legs",
+                &settings->step.sigma_along_m);
+  }
+  const Moments means = ScaleAtTheStart(walks, error, scale.variance_over_lag.slope);
   if (means.samples >= kMinSamples) {
     report->Set("step_scale.prior_mean", std::exp(means.mean), means.samples, "walks",
                 &settings->step_scale.prior_mean);
-    report->Set("step_scale.prior_sigma", std::exp(means.mean) * std::sqrt(means.variance),
-                means.samples, "walks", &settings->step_scale.prior_sigma);
+    const double spread = std::max(kSmallestScaleSpread, std::sqrt(means.variance));
+    report->Set("step_scale.prior_sigma", std::exp(means.mean) * spread, means.samples, "walks",
+                &settings->step_scale.prior_sigma);
   }
   if (scale.pairs >= kMinSamples) {
     report->Set("step_scale.walk_per_sqrt_s",
                 std::max(kSmallestScaleWalk, std::sqrt(scale.variance_over_lag.slope)), scale.pairs,
                 "pairs of legs", &settings->step_scale.walk_per_sqrt_s);
-  }
-  const LegDeviations along = DeviationsFromWalk(walks, &Leg::log_scale, false);
-  if (along.steps.size() >= kMinSamples) {
-    report->Set("step.sigma_along_m", StepSigma(along), along.steps.size(), "legs",
-                &settings->step.sigma_along_m);
   }
 }
 
@@ -142,7 +168,7 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
   const LegDeviations across =
       DeviationsFromNeighbours(has_turn ? by_gyroscope : absolute, &Leg::heading_rad, true);
   if (across.steps.size() >= kMinSamples) {
-    report->Set("step.sigma_across_m", StepSigma(across), across.steps.size(), "legs",
+    report->Set("step.sigma_across_m", StepSigma(FitLegError(across)), across.steps.size(), "legs",
                 &settings->step.sigma_across_m);
   }
   if (!has_turn || offset.pairs < kMinSamples) return;

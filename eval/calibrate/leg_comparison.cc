@@ -34,6 +34,13 @@ double WanderBetween(const Leg& before, const Leg& leg, const Leg& after, double
          earlier * later * leg.duration_s / 3;
 }
 
+// Whether a leg begins at the waypoint at which the one before it ends.
+bool Adjoin(const Leg& before, const Leg& leg) {
+  constexpr double kRoundingS = 1e-3;
+  const double apart_s = SecondsBetween(before.middle_ns, leg.middle_ns);
+  return apart_s - (before.duration_s + leg.duration_s) / 2 < kRoundingS;
+}
+
 }  // namespace
 
 WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadReckonedPath& path) {
@@ -48,8 +55,8 @@ WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadRec
         std::complex<double>(leg.x(), leg.y()) / std::complex<double>(walked.x(), walked.y());
     legs.push_back({from.time_ns + (to.time_ns - from.time_ns) / 2,
                     SecondsBetween(from.time_ns, to.time_ns), leg.norm(),
-                    StepsBetween(evidence, from.time_ns, to.time_ns), std::arg(ratio),
-                    std::log(std::abs(ratio))});
+                    StepsBetween(evidence, from.time_ns, to.time_ns), std::atan2(leg.y(), leg.x()),
+                    std::arg(ratio), std::log(std::abs(ratio))});
   }
   return legs;
 }
@@ -64,6 +71,21 @@ double WalkMean(const WalkLegs& legs, double Leg::*value, bool circular) {
     turn += std::polar(weight, leg.*value);
   }
   return circular ? std::arg(turn) : sum / weights;
+}
+
+double VarianceOfWalkMean(const WalkLegs& legs, const LegError& error) {
+  // Of the sum over legs of length times error at the end; length squared is a leg's weight.
+  double variance = 0, weights = 0;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = legs[i];
+    const double weight = leg.length_m * leg.length_m;
+    weights += weight;
+    variance += weight * (error.waypoints_m2 + leg.steps * error.step_m2);
+    if (i == 0 || !Adjoin(legs[i - 1], leg)) continue;
+    const double turn = std::cos(leg.direction_rad - legs[i - 1].direction_rad);
+    variance -= legs[i - 1].length_m * leg.length_m * error.waypoints_m2 * turn;
+  }
+  return variance / (weights * weights);
 }
 
 PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, double Leg::*value,

@@ -15,8 +15,9 @@ struct Leg {
   double duration_s = 0;
   double length_m = 0;  // between the waypoints
   int steps = 0;
-  double heading_rad = 0;  // true minus dead-reckoned direction
-  double log_scale = 0;    // log of true over dead-reckoned distance
+  double direction_rad = 0;  // true, in the building
+  double heading_rad = 0;    // true minus dead-reckoned direction
+  double log_scale = 0;      // log of true over dead-reckoned distance
 };
 
 using WalkLegs = std::vector<Leg>;
@@ -27,6 +28,17 @@ WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadRec
 // The mean of a walk's legs, weighted by their squared length; of angles on the circle.
 // Precondition: not empty.
 double WalkMean(const WalkLegs& legs, double Leg::*value, bool circular);
+
+// Variances of the end of a leg against its beginning, along or across it: by its two waypoints, and
+// by each of its steps.
+struct LegError {
+  double waypoints_m2 = 0;
+  double step_m2 = 0;
+};
+
+// What these errors make of the variance of WalkMean. A waypoint moves the end of one leg and the
+// beginning of the next, which cancels where the way goes straight on.
+double VarianceOfWalkMean(const WalkLegs& legs, const LegError& error);
 
 // Differences of all pairs of legs of one walk up to 40 s apart: farther ones are many and say
 // little more.

@@ -9,6 +9,8 @@
 namespace walkgraph {
 namespace {
 
+constexpr double kSmallestVariance = 1e-12;  // values without any error of their own count alike
+
 // Half width of the interval about `center` that counts.
 double ClipWidth(const std::vector<double>& values, double center) {
   std::vector<double> deviation;
@@ -54,6 +56,33 @@ Moments ClippedMoments(const std::vector<double>& values) {
   const auto n = static_cast<double>(moments.samples);
   moments.mean = center + sum / n;
   if (moments.samples > 1) moments.variance = (squares - sum * sum / n) / (n - 1.0);
+  return moments;
+}
+
+Moments RandomEffects(const std::vector<double>& values,
+                      const std::vector<double>& error_variance) {
+  constexpr int kMaxRounds = 200;
+  constexpr double kConverged = 1e-6;  // of the variance
+  Moments moments = ClippedMoments(values);
+  if (moments.samples < 2) return moments;
+  const double center = Median(values), width = ClipWidth(values, center);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    double weights = 0, sum = 0, squared_weights = 0, excess = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::abs(values[i] - center) > width) continue;
+      const double weight = 1.0 / std::max(kSmallestVariance, moments.variance + error_variance[i]);
+      const double apart = values[i] - moments.mean;
+      weights += weight;
+      sum += weight * values[i];
+      squared_weights += weight * weight;
+      excess += weight * weight * (apart * apart - error_variance[i]);
+    }
+    const double before = moments.variance;
+    moments.mean = sum / weights;
+    // The fixed point is where the likelihood's derivative vanishes.
+    moments.variance = std::max(0.0, excess / squared_weights);
+    if (std::abs(moments.variance - before) <= kConverged * before) break;
+  }
   return moments;
 }
 

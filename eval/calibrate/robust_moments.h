@@ -19,6 +19,11 @@ struct Moments {
 // deviations) of the median. Fewer than two samples give a variance of zero.
 Moments ClippedMoments(const std::vector<double>& values);
 
+// Mean and variance of what stands behind values that each have an error of their own, of known
+// variance: the random-effects model of meta-analysis by maximum likelihood, after the clipping
+// above. The variance is zero where the errors explain everything. One `error_variance` a value.
+Moments RandomEffects(const std::vector<double>& values, const std::vector<double>& error_variance);
+
 struct Line {
   double intercept = 0;
   double slope = 0;

@@ -121,11 +121,24 @@ TEST(CalibrateMotionTest, RecoversMeansOfScaleAndOffset) {
   EXPECT_NEAR(settings.heading_offset.prior_mean_rad, 0.3, 0.03);
 }
 
-// A sigma from 200 walks errs by 5 %; the error of a walk's mean adds up to 8 % to the smaller.
+// A sigma from 200 walks errs by 5 %; the error of a walk's mean adds up to 8 % to that of offsets.
 TEST(CalibrateMotionTest, RecoversSpreadsOverWalks) {
   const FactorSettings settings = Calibrate({});
   EXPECT_NEAR(settings.step_scale.prior_sigma, 0.05, 0.012);
   EXPECT_NEAR(settings.heading_offset.prior_sigma_rad, 0.1, 0.02);
+}
+
+// On walks of three legs the mean scale errs by as much as people differ: without reckoning with
+// it the spread would come to 0.05.
+TEST(CalibrateMotionTest, ErrorsOfShortWalksAreNoSpreadOfScales) {
+  Gait gait;
+  gait.walks = 500;
+  gait.legs = 3;
+  gait.scale_sigma = 0.03;
+  gait.waypoint_m = 0.5;
+  EXPECT_NEAR(Calibrate(gait).step_scale.prior_sigma, 0.03, 0.008);
+  gait.scale_sigma = 0;
+  EXPECT_LT(Calibrate(gait).step_scale.prior_sigma, 0.025);
 }
 
 // The slope of 1600 squared errors (mean 0.5 m^2) over steps (8 to 40) errs by 0.0018 m^2.

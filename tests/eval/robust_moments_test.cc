@@ -61,6 +61,36 @@ TEST(ClippedMomentsTest, OfANormalDensityLosesThreePercent) {
   EXPECT_NEAR(moments.variance / 9, 0.9733, 0.03);
 }
 
+// Where all errors are alike the likelihood has a closed form: their variance is what the values'
+// own exceeds theirs by.
+TEST(RandomEffectsTest, ClosedFormOfEqualErrors) {
+  const std::vector<double> values{1, 2, 3, 4, 5};
+  const Moments exact = RandomEffects(values, std::vector<double>(5, 0.0));
+  EXPECT_NEAR(exact.mean, 3, 1e-9);
+  EXPECT_NEAR(exact.variance, 2.0, 1e-5);
+  EXPECT_NEAR(RandomEffects(values, std::vector<double>(5, 0.5)).variance, 1.5, 1e-5);
+  EXPECT_EQ(RandomEffects(values, std::vector<double>(5, 2.5)).variance, 0);
+  EXPECT_EQ(RandomEffects({}, {}).samples, 0U);
+}
+
+// 5000 values whose errors go from a third to three times their spread, one in a hundred spoilt.
+TEST(RandomEffectsTest, FindsTheSpreadBehindUnequalErrors) {
+  std::mt19937 random(6);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> sigma(0.02, 0.15);
+  std::vector<double> values, variances;
+  for (int i = 0; i < 5000; ++i) {
+    const double error = sigma(random);
+    variances.push_back(error * error);
+    values.push_back(0.3 + 0.05 * normal(random) + error * normal(random));
+    if (i % 100 == 0) values.back() = 20;
+  }
+  const Moments moments = RandomEffects(values, variances);
+  EXPECT_NEAR(moments.mean, 0.3, 0.005);
+  EXPECT_NEAR(std::sqrt(moments.variance), 0.05, 0.003);
+  EXPECT_GT(std::sqrt(ClippedMoments(values).variance), 0.09);
+}
+
 // Differences whose squares lie exactly on a line, of either sign.
 TEST(VarianceOverLagTest, FindsAnExactLine) {
   std::vector<double> differences, lags;
@@ -127,6 +157,20 @@ TEST(LegComparisonTest, LongLegsWeighMore) {
   WalkLegs legs = LegsOf({0.0, 1.0});
   legs[1].length_m = 30;
   EXPECT_NEAR(WalkMean(legs, &Leg::heading_rad, false), 0.9, 1e-12);
+}
+
+// Along a straight way the waypoints between legs cancel; round corners they do not. Each step errs
+// on its own.
+TEST(LegComparisonTest, WaypointsBetweenLegsCancelStraightAhead) {
+  WalkLegs legs = LegsOf({0, 0, 0});
+  for (Leg& leg : legs) leg.duration_s = 15;
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0}), 0.5 / (30.0 * 30.0), 1e-12);
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0, 0.01}), 3 * 14 * 0.01 / (30.0 * 30.0), 1e-12);
+  legs[1].direction_rad = std::acos(-1.0) / 2;
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0}), 3 * 0.5 / (30.0 * 30.0), 1e-12);
+  for (Leg& leg : legs) leg.duration_s = 10;  // legs left out between
+  legs[1].direction_rad = 0;
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0}), 3 * 0.5 / (30.0 * 30.0), 1e-12);
 }
 
 TEST(LegComparisonTest, PairsAreThoseWithinFortySeconds) {
