@@ -16,7 +16,9 @@ constexpr std::size_t kMinSamples = 10;
 // A random walk that walks of a minute cannot tell from none: 1 degree, and 1 %, in half a minute.
 constexpr double kSmallestHeadingWalk = 0.003;  // rad/sqrt(s)
 constexpr double kSmallestScaleWalk = 0.002;    // 1/sqrt(s)
-constexpr double kSmallestScaleSpread = 0.01;   // no walks tell people apart by less
+// No survey tells people, or how they hold their phones, apart by less.
+constexpr double kSmallestHeadingSpread = 0.02;
+constexpr double kSmallestScaleSpread = 0.01;
 
 // Dead reckoning with all slow states at zero, so that what is learnt is absolute.
 DeadReckonedPath PlainPath(const Building& building, const Evidence& evidence) {
@@ -57,48 +59,32 @@ class Report {
 };
 
 struct LegStatistics {
-  Moments walk_means;
-  Line variance_over_lag;
+  Line variance_over_lag;  // of differences between a walk's legs
   std::size_t pairs = 0;
 };
 
-// Mean and spread of angles (rad) that lie about one direction, which may be that of the seam.
-Moments ClippedAngleMoments(const std::vector<double>& angles) {
-  std::complex<double> sum = 0;
-  for (const double angle : angles) sum += std::polar(1.0, angle);
-  const double direction = std::arg(sum);
-  std::vector<double> about;
-  about.reserve(angles.size());
-  for (const double angle : angles) about.push_back(WrapAngle(angle - direction));
-  Moments moments = ClippedMoments(about);
-  moments.mean = WrapAngle(moments.mean + direction);
-  return moments;
-}
-
 LegStatistics Summarise(const std::vector<WalkLegs>& walks, double Leg::*value, bool circular) {
-  std::vector<double> means;
-  means.reserve(walks.size());
-  for (const WalkLegs& legs : walks) means.push_back(WalkMean(legs, value, circular));
   const PairDifferences pairs = DifferencesWithinWalks(walks, value, circular);
-  return {circular ? ClippedAngleMoments(means) : ClippedMoments(means),
-          VarianceOverLag(pairs.difference, pairs.lag_s), pairs.difference.size()};
+  return {VarianceOverLag(pairs.difference, pairs.lag_s), pairs.difference.size()};
 }
 
-double SecondsOf(const WalkLegs& legs) {
-  return SecondsBetween(legs.front().middle_ns, legs.back().middle_ns) +
-         (legs.front().duration_s + legs.back().duration_s) / 2;
-}
-
-// What walks begin with. The means that they show spread further: legs have errors, and the value
-// wanders from where it began (by a third of what the whole walk adds, in the mean).
-Moments ScaleAtTheStart(const std::vector<WalkLegs>& walks, const LegError& error,
-                        double wander_per_s) {
+// What walks differ by. The means that they show spread further, for legs have errors.
+Moments MomentsOverWalks(const std::vector<WalkLegs>& walks, double Leg::*value, bool circular,
+                         const LegError& error) {
   std::vector<double> means, variances;
   for (const WalkLegs& legs : walks) {
-    means.push_back(WalkMean(legs, &Leg::log_scale, false));
-    variances.push_back(VarianceOfWalkMean(legs, error) + wander_per_s * SecondsOf(legs) / 3.0);
+    means.push_back(WalkMean(legs, value, circular));
+    variances.push_back(VarianceOfWalkMean(legs, error));
   }
-  return RandomEffects(means, variances);
+  if (!circular) return RandomEffects(means, variances);
+  // Angles lie about one direction, which may be that of the seam.
+  std::complex<double> sum = 0;
+  for (const double mean : means) sum += std::polar(1.0, mean);
+  const double direction = std::arg(sum);
+  for (double& mean : means) mean = WrapAngle(mean - direction);
+  Moments moments = RandomEffects(means, variances);
+  moments.mean = WrapAngle(moments.mean + direction);
+  return moments;
 }
 
 void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings, Report* report) {
@@ -110,12 +96,13 @@ void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings
     report->Set("step.sigma_along_m", StepSigma(error), along.steps.size(), "legs",
                 &settings->step.sigma_along_m);
   }
-  const Moments means = ScaleAtTheStart(walks, error, scale.variance_over_lag.slope);
-  if (means.samples >= kMinSamples) {
-    report->Set("step_scale.prior_mean", std::exp(means.mean), means.samples, "walks",
+  const Moments over_walks = MomentsOverWalks(walks, &Leg::log_scale, false, error);
+  if (over_walks.samples >= kMinSamples) {
+    const double mean = std::exp(over_walks.mean);
+    const double spread = std::max(kSmallestScaleSpread, std::sqrt(over_walks.variance));
+    report->Set("step_scale.prior_mean", mean, over_walks.samples, "walks",
                 &settings->step_scale.prior_mean);
-    const double spread = std::max(kSmallestScaleSpread, std::sqrt(means.variance));
-    report->Set("step_scale.prior_sigma", std::exp(means.mean) * spread, means.samples, "walks",
+    report->Set("step_scale.prior_sigma", mean * spread, over_walks.samples, "walks",
                 &settings->step_scale.prior_sigma);
   }
   if (scale.pairs >= kMinSamples) {
@@ -125,12 +112,14 @@ void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings
   }
 }
 
-void CalibrateOffset(const LegStatistics& offset, FactorSettings* settings, Report* report) {
-  const Moments& means = offset.walk_means;
-  if (means.samples >= kMinSamples) {
-    report->Set("heading_offset.prior_mean_rad", means.mean, means.samples, "walks",
+void CalibrateOffset(const std::vector<WalkLegs>& walks, const LegStatistics& offset,
+                     const LegError& error, FactorSettings* settings, Report* report) {
+  const Moments over_walks = MomentsOverWalks(walks, &Leg::heading_rad, true, error);
+  if (over_walks.samples >= kMinSamples) {
+    const double spread = std::max(kSmallestHeadingSpread, std::sqrt(over_walks.variance));
+    report->Set("heading_offset.prior_mean_rad", over_walks.mean, over_walks.samples, "walks",
                 &settings->heading_offset.prior_mean_rad);
-    report->Set("heading_offset.prior_sigma_rad", std::sqrt(means.variance), means.samples, "walks",
+    report->Set("heading_offset.prior_sigma_rad", spread, over_walks.samples, "walks",
                 &settings->heading_offset.prior_sigma_rad);
   }
   if (offset.pairs < kMinSamples) return;
@@ -139,13 +128,15 @@ void CalibrateOffset(const LegStatistics& offset, FactorSettings* settings, Repo
               offset.pairs, "pairs of legs", &settings->heading_offset.walk_rad_per_sqrt_s);
 }
 
-double MeanDuration(const std::vector<WalkLegs>& walks) {
-  double seconds = 0, legs = 0;
+// Mean over all legs of what averaging over a leg leaves of a variance that is drawn anew after
+// `correlation_s`.
+double MeanShareLeft(const std::vector<WalkLegs>& walks, double correlation_s) {
+  double sum = 0, legs = 0;
   for (const WalkLegs& walk : walks) {
-    for (const Leg& leg : walk) seconds += leg.duration_s;
+    for (const Leg& leg : walk) sum += ShareLeft(leg, correlation_s);
     legs += static_cast<double>(walk.size());
   }
-  return seconds / legs;
+  return sum / legs;
 }
 
 // How well legs keep their direction: on the gyroscope alone, and on the absolute heading beyond
@@ -157,28 +148,31 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
   constexpr double kSmallestHeadingSigma = 0.03;  // two degrees: a walking person's sway
   const LegStatistics offset = Summarise(absolute, &Leg::heading_rad, true);
   const LegStatistics turn = Summarise(by_gyroscope, &Leg::heading_rad, true);
-  CalibrateOffset(offset, settings, report);
-  if (turn.pairs >= kMinSamples) {
+  const bool has_turn = turn.pairs >= kMinSamples;
+  if (has_turn) {
     report->Set("heading_increment.sigma_rad_per_sqrt_s",
                 std::max(kSmallestRate, std::sqrt(turn.variance_over_lag.slope)), turn.pairs,
                 "pairs of legs", &settings->heading_increment.sigma_rad_per_sqrt_s);
   }
-  const bool has_turn = turn.pairs >= kMinSamples;
   // A walk has no mean direction on a gyroscope that drifts.
   const LegDeviations across =
       DeviationsFromNeighbours(has_turn ? by_gyroscope : absolute, &Leg::heading_rad, true);
+  LegError error;
   if (across.steps.size() >= kMinSamples) {
-    report->Set("step.sigma_across_m", StepSigma(FitLegError(across)), across.steps.size(), "legs",
+    error = FitLegError(across);
+    report->Set("step.sigma_across_m", StepSigma(error), across.steps.size(), "legs",
                 &settings->step.sigma_across_m);
   }
-  if (!has_turn || offset.pairs < kMinSamples) return;
-  const double beyond =
-      0.5 * (offset.variance_over_lag.intercept - turn.variance_over_lag.intercept);
-  const double samples_per_leg =
-      std::max(1.0, MeanDuration(absolute) / settings->absolute_heading.correlation_s);
-  report->Set("absolute_heading.sigma_rad",
-              std::max(kSmallestHeadingSigma, std::sqrt(std::max(0.0, beyond) * samples_per_leg)),
-              offset.pairs, "pairs of legs", &settings->absolute_heading.sigma_rad);
+  if (has_turn && offset.pairs >= kMinSamples) {
+    const double beyond =
+        0.5 * (offset.variance_over_lag.intercept - turn.variance_over_lag.intercept);
+    error.own_correlation_s = settings->absolute_heading.correlation_s;
+    error.own_rad2 = std::max(0.0, beyond) / MeanShareLeft(absolute, error.own_correlation_s);
+    report->Set("absolute_heading.sigma_rad",
+                std::max(kSmallestHeadingSigma, std::sqrt(error.own_rad2)), offset.pairs,
+                "pairs of legs", &settings->absolute_heading.sigma_rad);
+  }
+  CalibrateOffset(absolute, offset, error, settings, report);
 }
 
 // Drift of absolute heading against integrated yaw, rad/s; NaN for short walks. The median over

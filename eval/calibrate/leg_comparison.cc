@@ -73,6 +73,10 @@ double WalkMean(const WalkLegs& legs, double Leg::*value, bool circular) {
   return circular ? std::arg(turn) : sum / weights;
 }
 
+double ShareLeft(const Leg& leg, double correlation_s) {
+  return 1.0 / std::max(1.0, leg.duration_s / correlation_s);
+}
+
 double VarianceOfWalkMean(const WalkLegs& legs, const LegError& error) {
   // Of the sum over legs of length times error at the end; length squared is a leg's weight.
   double variance = 0, weights = 0;
@@ -81,6 +85,7 @@ double VarianceOfWalkMean(const WalkLegs& legs, const LegError& error) {
     const double weight = leg.length_m * leg.length_m;
     weights += weight;
     variance += weight * (error.waypoints_m2 + leg.steps * error.step_m2);
+    variance += weight * weight * error.own_rad2 * ShareLeft(leg, error.own_correlation_s);
     if (i == 0 || !Adjoin(legs[i - 1], leg)) continue;
     const double turn = std::cos(leg.direction_rad - legs[i - 1].direction_rad);
     variance -= legs[i - 1].length_m * leg.length_m * error.waypoints_m2 * turn;

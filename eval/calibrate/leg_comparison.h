@@ -30,11 +30,17 @@ WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadRec
 double WalkMean(const WalkLegs& legs, double Leg::*value, bool circular);
 
 // Variances of the end of a leg against its beginning, along or across it: by its two waypoints, and
-// by each of its steps.
+// by each of its steps. And of its direction, by a compass that errs anew after the correlation
+// time.
 struct LegError {
   double waypoints_m2 = 0;
   double step_m2 = 0;
+  double own_rad2 = 0;
+  double own_correlation_s = 1;
 };
+
+// What the mean over a leg leaves of the variance of an error that is drawn anew after a time.
+double ShareLeft(const Leg& leg, double correlation_s);
 
 // What these errors make of the variance of WalkMean. A waypoint moves the end of one leg and the
 // beginning of the next, which cancels where the way goes straight on.

@@ -121,7 +121,7 @@ TEST(CalibrateMotionTest, RecoversMeansOfScaleAndOffset) {
   EXPECT_NEAR(settings.heading_offset.prior_mean_rad, 0.3, 0.03);
 }
 
-// A sigma from 200 walks errs by 5 %; the error of a walk's mean adds up to 8 % to that of offsets.
+// A sigma from 200 walks errs by 5 %.
 TEST(CalibrateMotionTest, RecoversSpreadsOverWalks) {
   const FactorSettings settings = Calibrate({});
   EXPECT_NEAR(settings.step_scale.prior_sigma, 0.05, 0.012);
@@ -139,6 +139,15 @@ TEST(CalibrateMotionTest, ErrorsOfShortWalksAreNoSpreadOfScales) {
   EXPECT_NEAR(Calibrate(gait).step_scale.prior_sigma, 0.03, 0.008);
   gait.scale_sigma = 0;
   EXPECT_LT(Calibrate(gait).step_scale.prior_sigma, 0.025);
+}
+
+TEST(CalibrateMotionTest, ErrorsOfTheCompassAreNoSpreadOfOffsets) {
+  Gait gait;
+  gait.walks = 500;
+  gait.legs = 3;
+  gait.offset_sigma_rad = 0.05;
+  gait.heading_error_rad = 0.25;
+  EXPECT_NEAR(Calibrate(gait).heading_offset.prior_sigma_rad, 0.05, 0.012);
 }
 
 // The slope of 1600 squared errors (mean 0.5 m^2) over steps (8 to 40) errs by 0.0018 m^2.

@@ -164,13 +164,14 @@ TEST(LegComparisonTest, LongLegsWeighMore) {
 TEST(LegComparisonTest, WaypointsBetweenLegsCancelStraightAhead) {
   WalkLegs legs = LegsOf({0, 0, 0});
   for (Leg& leg : legs) leg.duration_s = 15;
-  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0}), 0.5 / (30.0 * 30.0), 1e-12);
-  EXPECT_NEAR(VarianceOfWalkMean(legs, {0, 0.01}), 3 * 14 * 0.01 / (30.0 * 30.0), 1e-12);
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0, 0, 1}), 0.5 / (30.0 * 30.0), 1e-12);
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0, 0.01, 0, 1}), 3 * 14 * 0.01 / (30.0 * 30.0), 1e-12);
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0, 0, 0.01, 5}), 0.01 / 9, 1e-12);
   legs[1].direction_rad = std::acos(-1.0) / 2;
-  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0}), 3 * 0.5 / (30.0 * 30.0), 1e-12);
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0, 0, 1}), 3 * 0.5 / (30.0 * 30.0), 1e-12);
   for (Leg& leg : legs) leg.duration_s = 10;  // legs left out between
   legs[1].direction_rad = 0;
-  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0}), 3 * 0.5 / (30.0 * 30.0), 1e-12);
+  EXPECT_NEAR(VarianceOfWalkMean(legs, {0.5, 0, 0, 1}), 3 * 0.5 / (30.0 * 30.0), 1e-12);
 }
 
 TEST(LegComparisonTest, PairsAreThoseWithinFortySeconds) {
