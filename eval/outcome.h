@@ -18,6 +18,7 @@ struct MethodOutcome {
   EstimateStatus status = EstimateStatus::kUnsupported;
   bool has_trajectory = false;
   std::vector<WaypointError> errors;  // empty without trajectory or waypoints
+  std::vector<bool> trusted;          // at the waypoints; see TrustedAt
   std::vector<std::string> messages;
   double seconds = 0;  // wall time, outside the promise of equal bytes
 };

@@ -14,6 +14,7 @@
 #include "frontends/radio_map/reading_lag.h"
 #include "frontends/radio_map/survey_positions.h"
 #include "graph/motion_model.h"
+#include "solvers/baselines/tcpf/trusted_points.h"
 
 namespace walkgraph {
 namespace {
@@ -41,6 +42,7 @@ MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estim
   outcome.has_trajectory = !result.trajectory.empty();
   if (outcome.has_trajectory) {
     outcome.errors = ErrorsAtWaypoints(result.trajectory, walk.truth, options.waypoint_sigma_m);
+    outcome.trusted = TrustedAt(result, walk.truth.waypoints);
   }
   WriteEstimate(options.out, walk.file.id, evidence, method, result, options.tum);
   for (const std::string& message : result.messages) {

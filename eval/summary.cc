@@ -165,6 +165,23 @@ void AppendMotion(const std::vector<std::string>& methods, const std::vector<Poo
   sections->insert(sections->end(), by_state.begin(), by_state.end());
 }
 
+// `ran` is the index of each method in the walks' own list.
+void AppendTrusted(const std::vector<std::string>& methods, const std::vector<std::size_t>& ran,
+                   const std::vector<PooledWalk>& pooled, std::vector<SummarySection>* sections) {
+  SummarySection section;
+  section.name = "trusted";
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    std::vector<WalkErrors> selected;
+    for (const PooledWalk& walk : pooled) {
+      const std::vector<bool>& trusted = walk.walk->methods[ran[m]].trusted;
+      if (std::find(trusted.begin(), trusted.end(), true) == trusted.end()) continue;
+      selected.push_back(AtWaypoints(walk.errors, trusted));
+    }
+    if (!selected.empty()) section.rows.push_back(MakeRow(methods[m], m, selected));
+  }
+  if (!section.rows.empty()) sections->push_back(std::move(section));
+}
+
 }  // namespace
 
 std::vector<SummarySection> SummariseEvaluation(const Evaluation& evaluation,
@@ -187,6 +204,7 @@ std::vector<SummarySection> SummariseEvaluation(const Evaluation& evaluation,
                                           MakeSelection("covered", methods, covered, everywhere)};
   AppendFloors(methods, pooled, floor_names, &sections);
   AppendMotion(methods, pooled, &sections);
+  AppendTrusted(methods, ran, pooled, &sections);
   sections.push_back(MakeSection("all_walks", evaluation.methods, all));
   return sections;
 }

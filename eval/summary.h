@@ -40,6 +40,8 @@ struct SummarySection {
 //   floor X    of those, the waypoints on one floor (floors by increasing number)
 //   standing, walking  of those, the waypoints passed in one of these states of motion, where there
 //              are waypoints of both
+//   trusted    of those, for each method that trusts some of its positions more than others the
+//              waypoints at which it does; methods have different ones, so there are no differences
 //   all_walks  every walk with waypoints, a missing output scored at the survey's centroid
 // Walks that are not finished count nowhere.
 std::vector<SummarySection> SummariseEvaluation(const Evaluation& evaluation,

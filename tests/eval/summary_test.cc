@@ -88,6 +88,22 @@ TEST(Summary, StandingAndWalkingAreRowsOfTheirOwnWhereBothOccur) {
   EXPECT_NEAR(Row(sections, "walking", 0).errors.mean_m, (3.0 + 10.0) / 2, 1e-12);
 }
 
+// Each method at its own trusted points.
+TEST(Summary, TrustedPointsAreRowsOfTheMethodsThatHaveThem) {
+  Evaluation evaluation = ThreeWalks();
+  EXPECT_FALSE(HasSection(SummariseEvaluation(evaluation, {}), "trusted"));
+  evaluation.walks[0].methods[1].trusted = {false, true};
+  evaluation.walks[1].methods[1].trusted = {true, true};
+  const auto one = SummariseEvaluation(evaluation, {});
+  EXPECT_EQ(Row(one, "trusted", 0).method, "b");
+  EXPECT_EQ(Row(one, "trusted", 0).walks, 2);
+  EXPECT_NEAR(Row(one, "trusted", 0).errors.mean_m, (4.0 + 7.0 + 7.0) / 3, 1e-12);
+  evaluation.walks[0].methods[0].trusted = {true, false};
+  const auto both = SummariseEvaluation(evaluation, {});
+  EXPECT_NEAR(Row(both, "trusted", 0).errors.mean_m, 1, 1e-12);
+  EXPECT_EQ(Row(both, "trusted", 1).errors.n, 3);
+}
+
 TEST(Summary, AMissingOutputCountsAsTheCentroidOverAllWalks) {
   const auto sections = SummariseEvaluation(ThreeWalks(), {});
   EXPECT_EQ(Row(sections, "all_walks", 0).errors.n, 5);

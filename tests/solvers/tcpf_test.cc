@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "solvers/baselines/tcpf/trusted_points.h"
 #include "solvers/synthetic_site.h"
 
 namespace walkgraph {
@@ -129,6 +132,36 @@ TEST(Tcpf, WithoutWifiItIsPlacedAtTheCentroid) {
     const EstimateResult result = Solve(name, world.site, evidence);
     EXPECT_EQ(result.status, EstimateStatus::kUnobservable) << name;
     EXPECT_FALSE(result.trajectory.empty()) << name;
+  }
+}
+
+// A waypoint belongs to the position nearest to it in time.
+TEST(Tcpf, WaypointsAtTrustedPointsAreFound) {
+  EstimateResult result;
+  const double unknown = std::nan("");
+  for (const auto& [second, trusted] : {std::pair(0, 1.0), {10, 0.0}, {20, 1.0}}) {
+    result.slow_states.push_back(
+        {std::string(kTrustedState), second * kNsPerSecond, trusted, unknown});
+    result.slow_states.push_back({"step_scale", second * kNsPerSecond, 1 - trusted, unknown});
+  }
+  std::vector<Waypoint> waypoints;
+  for (const int second : {-3, 4, 6, 14, 16, 30}) {
+    waypoints.push_back({second * kNsPerSecond, Vector2d::Zero(), 0});
+  }
+  const std::vector<bool> expected{true, true, false, false, true, true};
+  EXPECT_EQ(TrustedAt(result, waypoints), expected);
+  result.slow_states.clear();
+  EXPECT_TRUE(TrustedAt(result, waypoints).empty());
+}
+
+TEST(Tcpf, BothFusionsMarkTheirPositions) {
+  SyntheticSite world(2);
+  const Evidence evidence = WalkWithGyroscope(&world);
+  const std::vector<Waypoint> somewhere{{evidence.begin_ns, Vector2d::Zero(), 0}};
+  for (const TcpfMethod& method : kTcpfMethods) {
+    const std::string_view name = method.description.name;
+    const bool fuses = name == "tcpf" || name == "tcpf_cross_assistive";
+    EXPECT_EQ(TrustedAt(Solve(name, world.site, evidence), somewhere).empty(), !fuses) << name;
   }
 }
 

@@ -5,6 +5,7 @@
 #include "factors/dead_reckoning.h"
 #include "solvers/baselines/fingerprints.h"
 #include "solvers/baselines/tcpf/heading_filter.h"
+#include "solvers/baselines/tcpf/trusted_points.h"
 
 namespace walkgraph {
 namespace {
@@ -87,7 +88,8 @@ EstimateResult TcpfEstimator::Locate(const Site& site, const Evidence& evidence)
   if (!IsWifiAlone()) {
     ExtendByReckoning(evidence, path, &fixes);
     for (const TcpfPosition& position : positions) {
-      result.slow_states.push_back({"trusted", position.time_ns, position.trusted ? 1.0 : 0.0,
+      result.slow_states.push_back({std::string(kTrustedState), position.time_ns,
+                                    position.trusted ? 1.0 : 0.0,
                                     std::numeric_limits<double>::quiet_NaN()});
     }
   }

@@ -66,8 +66,8 @@ inline constexpr TcpfMethod kTcpfMethods[] = {
 };
 
 // TCPF and what its paper compares it with. Unsupported without accelerometer, and but for Wi-Fi
-// alone without gyroscope or absolute heading. The fusions' slow states hold "trusted" (0 or 1) at
-// every scan.
+// alone without gyroscope or absolute heading. The fusions' slow states hold kTrustedState
+// at every scan.
 class TcpfEstimator : public Estimator {
  public:
   TcpfEstimator(const TcpfMethod& method, const TcpfSettings& settings,
