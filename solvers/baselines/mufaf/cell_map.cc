@@ -38,9 +38,12 @@ Eigen::Vector2d MeanOfNearest(const CellMap& map, const Eigen::VectorXd& distanc
 
 void CellMap::AddCell(const Eigen::Vector2d& center_m, const Eigen::VectorXd& mean_dbm,
                       const Eigen::VectorXd& variance_db2, double count) {
+  if (size() == mean_dbm_.cols()) {
+    const Eigen::Index room = std::max<Eigen::Index>(16, 2 * size());
+    mean_dbm_.conservativeResize(anchors_, room);
+    variance_db2_.conservativeResize(anchors_, room);
+  }
   centers_m_.push_back(center_m);
-  mean_dbm_.conservativeResize(anchors_, size());
-  variance_db2_.conservativeResize(anchors_, size());
   mean_dbm_.col(size() - 1) = mean_dbm;
   variance_db2_.col(size() - 1) = variance_db2;
   count_.push_back(count);

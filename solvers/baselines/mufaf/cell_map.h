@@ -37,14 +37,14 @@ class CellMap {
   Eigen::Index anchors() const { return anchors_; }
   const std::vector<Eigen::Vector2d>& centers_m() const { return centers_m_; }
   // Anchors by cell: columns are cells.
-  const Eigen::MatrixXd& mean_dbm() const { return mean_dbm_; }
-  const Eigen::MatrixXd& variance_db2() const { return variance_db2_; }
+  auto mean_dbm() const { return mean_dbm_.leftCols(size()); }
+  auto variance_db2() const { return variance_db2_.leftCols(size()); }
   Eigen::Index NearestCell(const Eigen::Vector2d& position_m) const;
 
  private:
   Eigen::Index anchors_;
   std::vector<Eigen::Vector2d> centers_m_;
-  Eigen::MatrixXd mean_dbm_, variance_db2_;
+  Eigen::MatrixXd mean_dbm_, variance_db2_;  // with room for more cells
   std::vector<double> count_;
 };
 

@@ -120,6 +120,14 @@ std::vector<PositionFix> FixesOfFirstRadio(const std::vector<RadioReport>& repor
 
 }  // namespace
 
+double MufafEstimator::FixError(const CellMap& cells,
+                                const CellEstimatorSettings& estimator) const {
+  // Positions as they are estimated claim no error, and it takes longer than they do.
+  if (method_.stage == MufafStage::kEstimate) return 0;
+  if (settings_.fix_error_m > 0) return settings_.fix_error_m;
+  return LeaveOneCellOutError(cells, estimator, kCellsForError);
+}
+
 EstimateResult MufafEstimator::Estimate(const Site& site, const Evidence& evidence) const {
   const DeadReckonedPath path = DeadReckon(site, evidence, factors_);
   const int floor = WalkFloor(site, evidence, wknn_);
@@ -133,9 +141,7 @@ EstimateResult MufafEstimator::Estimate(const Site& site, const Evidence& eviden
     if (!factors_.fingerprint.Uses(radio) || (radios > 0 && !fuses)) continue;
     const SiteCells cells(site, floor, radio, settings_.cell_m, wknn_.max_age_s, wknn_.missing_dbm);
     if (cells.map().size() < 2) continue;
-    const double error_m = settings_.fix_error_m > 0
-                               ? settings_.fix_error_m
-                               : LeaveOneCellOutError(cells.map(), estimator, kCellsForError);
+    const double error_m = FixError(cells.map(), estimator);
     const std::vector<QueryScan> scans = CollectQueryScans(site, evidence, wknn_.max_age_s, radio);
     const auto found = LocateRadio(cells, scans, radios, estimator, error_m);
     if (found.empty()) continue;

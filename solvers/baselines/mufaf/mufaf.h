@@ -112,6 +112,9 @@ class MufafEstimator : public Estimator {
   EstimateResult Estimate(const Site& site, const Evidence& evidence) const override;
 
  private:
+  // Of one radio's positions, per axis.
+  double FixError(const CellMap& cells, const CellEstimatorSettings& estimator) const;
+
   MufafMethod method_;
   MufafSettings settings_;
   WknnSettings wknn_;
