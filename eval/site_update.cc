@@ -73,7 +73,7 @@ void PrintChanges(const Site& before, const Site& after, const std::vector<Surve
   for (const RadioMap& map : before.maps) {
     int changed = 0, vanished = 0;
     for (const TransmitterChange& change : FindChanges(before, map, walks, settings)) {
-      changed += std::abs(change.offset_db) > 3 * change.offset_sigma_db ? 1 : 0;
+      changed += change.changed() ? 1 : 0;
       vanished += change.vanished ? 1 : 0;
     }
     std::printf("floor %d %s: %d of %zu transmitters changed by over three sigma, %d vanished\n",

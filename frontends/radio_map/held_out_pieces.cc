@@ -105,7 +105,8 @@ HeldOutTrials::Fold HeldOutTrials::MakeFold(std::size_t fold) const {
       if (!out) training.scans.insert(training.scans.end(), list.begin(), list.end());
     }
   }
-  result.input = MakeMapInput(training, settings_, {keep_every_, kSearchSamples});
+  result.input = MakeMapInput(
+      training, settings_, {.keep_every = keep_every_, .max_samples = kSearchSamples, .fits = {}});
   return result;
 }
 

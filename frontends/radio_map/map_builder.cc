@@ -156,6 +156,7 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
   std::map<std::uint32_t, std::vector<FieldSample>> readings;
   for (const SurveyScan* scan : scans) {
     for (const SurveyReading& reading : scan->readings) {
+      if (detail.fits && !detail.fits(*scan, reading)) continue;
       readings[reading.transmitter].push_back(
           {reading.position_m.cast<double>(), reading.rssi_dbm, scan->walk, scan->trial});
     }

@@ -38,6 +38,7 @@ struct MapDetail {
   // A dense process costs O(n^3): above this many samples of a transmitter they are merged over a
   // wider spacing.
   std::size_t max_samples = 300;
+  ReadingFilter fits;  // fields are fitted to its readings; all where empty
 };
 
 // The samples that each transmitter's field is trained on.

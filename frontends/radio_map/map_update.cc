@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -131,6 +132,44 @@ std::vector<SurveyScan> ScansOf(const Site& site, const std::vector<SurveyWalk>&
   return scans;
 }
 
+using Changes = std::map<std::uint32_t, TransmitterChange>;  // by transmitter
+
+void ApplyChanges(const RadioMap& map, const Changes& changes, std::vector<SurveyScan>* scans) {
+  const auto on_map = [&map](const SurveyScan& scan) {
+    return scan.floor == map.floor && scan.radio == map.radio;
+  };
+  float weakest_dbm = std::numeric_limits<float>::infinity();
+  for (const SurveyScan& scan : *scans) {
+    if (!on_map(scan)) continue;
+    for (const SurveyReading& reading : scan.readings) {
+      weakest_dbm = std::min(weakest_dbm, reading.rssi_dbm);
+    }
+  }
+  for (SurveyScan& scan : *scans) {
+    if (!on_map(scan)) continue;
+    std::vector<SurveyReading> today;
+    for (SurveyReading reading : scan.readings) {
+      const auto found = changes.find(reading.transmitter);
+      const TransmitterChange change = found == changes.end() ? TransmitterChange() : found->second;
+      if (change.vanished) continue;
+      if (change.changed()) reading.rssi_dbm += static_cast<float>(change.offset_db);
+      // What is weaker nobody would hear today.
+      if (reading.rssi_dbm >= weakest_dbm) today.push_back(reading);
+    }
+    scan.readings = std::move(today);
+  }
+}
+
+// Whether a located reading says what the survey does not know better.
+bool AddsToSurvey(const RadioMap& map, const Changes& changes, const SurveyReading& reading,
+                  double near_survey_m) {
+  if (map.FindField(reading.transmitter) < 0) return true;
+  const auto change = changes.find(reading.transmitter);
+  if (change != changes.end() && change->second.changed()) return true;
+  const FieldBasis basis = EvaluateBasis(map.grid, reading.position_m.cast<double>());
+  return map.SurveyDistance(basis).value > near_survey_m;
+}
+
 }  // namespace
 
 std::vector<TransmitterChange> FindChanges(const Site& site, const RadioMap& map,
@@ -176,28 +215,23 @@ Site WithWalks(const Site& site, const std::vector<SurveyWalk>& walks) {
 
 Site UpdateSite(const Site& site, const std::vector<SurveyWalk>& walks,
                 const TrainerSettings& trainer, const MapChangeSettings& settings) {
-  Site result = WithWalks(site, walks);
-  for (const RadioMap& map : result.maps) {
-    std::map<std::uint32_t, TransmitterChange> changes;
-    for (const TransmitterChange& change : FindChanges(result, map, walks, settings)) {
-      changes[change.transmitter] = change;
+  const std::uint32_t first_located = NextWalk(site);
+  const Site before = WithWalks(site, walks);
+  Site result = before;
+  std::map<const RadioMap*, Changes> changes;
+  for (const RadioMap& map : before.maps) {
+    for (const TransmitterChange& change : FindChanges(before, map, walks, settings)) {
+      changes[&map][change.transmitter] = change;
     }
-    for (SurveyScan& scan : result.scans) {
-      if (scan.floor != map.floor || scan.radio != map.radio) continue;
-      std::erase_if(scan.readings, [&](const SurveyReading& reading) {
-        const auto change = changes.find(reading.transmitter);
-        return change != changes.end() && change->second.vanished;
-      });
-      for (SurveyReading& reading : scan.readings) {
-        const auto change = changes.find(reading.transmitter);
-        if (change == changes.end()) continue;
-        reading.rssi_dbm += static_cast<float>(change->second.offset_db);
-      }
-    }
+    ApplyChanges(map, changes[&map], &result.scans);
   }
   std::erase_if(result.scans, [](const SurveyScan& scan) { return scan.readings.empty(); });
-  for (SurveyScan& scan : ScansOf(result, walks)) result.scans.push_back(std::move(scan));
-  RetrainMaps(trainer, site, &result);
+  for (SurveyScan& scan : ScansOf(before, walks)) result.scans.push_back(std::move(scan));
+  RetrainMaps(trainer, site, &result, [&](const SurveyScan& scan, const SurveyReading& reading) {
+    if (scan.walk < first_located) return true;
+    const RadioMap* map = before.FindMap(scan.floor, scan.radio);
+    return map == nullptr || AddsToSurvey(*map, changes.at(map), reading, settings.near_survey_m);
+  });
   return result;
 }
 

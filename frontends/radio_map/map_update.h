@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_UPDATE_H_
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_UPDATE_H_
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct MapChangeSettings {
   double offset_sigma_db = 4;
   double group_m = 10;
   double vanish_odds = 1000;
+  double near_survey_m = 3;
 };
 
 template <typename Visitor>
@@ -28,6 +30,8 @@ void Visit(Visitor& v, MapChangeSettings& s) {
           "readings of a walk in one square of this side err together and count as one, m");
   v.Field("vanish_odds", s.vanish_odds,
           "a transmitter is given up where silence is this much likelier than its map has it");
+  v.Field("near_survey_m", s.near_survey_m,
+          "nearer to the survey than this its own readings say more than located ones, m");
 }
 
 // What located walks say has become of a transmitter of one radio map.
@@ -38,6 +42,8 @@ struct TransmitterChange {
   double expected = 0;  // sweeps in which the map would have it heard, and those that did
   double heard = 0;
   bool vanished = false;
+
+  bool changed() const { return std::abs(offset_db) > 3 * offset_sigma_db; }
 };
 
 // By the residuals of readings at the located places against the map. A walk's median residual is
@@ -53,8 +59,11 @@ std::vector<TransmitterChange> FindChanges(const Site& site, const RadioMap& map
 // to the new transmitters.
 Site WithWalks(const Site& site, const std::vector<SurveyWalk>& walks);
 
-// The site as the located walks show it: the survey's readings moved by each transmitter's offset
-// and without those that vanished, the walks' own added, and the maps trained anew.
+// The site as the located walks show it: the survey's readings moved by the offsets of transmitters
+// that changed, without those that are then weaker than anything the survey heard and those of
+// transmitters that vanished; the walks' own scans added, and the maps trained anew. A located
+// reading is placed worse than a surveyed one: fields are fitted to it where the transmitter
+// changed or the survey is farther than `near_survey_m`.
 Site UpdateSite(const Site& site, const std::vector<SurveyWalk>& walks,
                 const TrainerSettings& trainer, const MapChangeSettings& settings);
 

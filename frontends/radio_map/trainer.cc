@@ -97,7 +97,8 @@ void AppendSurveyPath(const Trajectory& trajectory, std::uint32_t walk,
   }
 }
 
-void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site) {
+void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site,
+                 const ReadingFilter& fits) {
   site->maps.clear();
   for (const RadioMap& before : calibrated.maps) {
     const FloorSurvey survey = SurveyOf(*site, before.floor, before.radio, settings);
@@ -105,7 +106,7 @@ void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* 
     const FieldModel model =
         SelectFieldModel(SurveyOf(calibrated, before.floor, before.radio, settings), settings);
     // With the survey's samples merged as ever, what is added would blur them.
-    const MapDetail detail = {.max_samples = 900};
+    const MapDetail detail = {.max_samples = 900, .fits = fits};
     RadioMap map = BuildMap(MakeMapInput(survey, settings, detail), model, settings);
     map.n_eff = before.n_eff;
     map.hear_weight = before.hear_weight;

@@ -2,6 +2,7 @@
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_TRAINER_H_
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -56,10 +57,15 @@ struct SurveyWalk {
 Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                const TrainerSettings& settings, const Executor& run = RunInOrder);
 
+// Which readings of a site's scans the fields of signal strength are fitted to. That a scan heard
+// them counts in any case.
+using ReadingFilter = std::function<bool(const SurveyScan&, const SurveyReading&)>;
+
 // The maps of the scans that `site` has now, in place of those it had. What is calibrated stays as
 // it was on the survey of the `calibrated` site: walks that were located and not surveyed cannot
 // tell how well walks are located.
-void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site);
+void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site,
+                 const ReadingFilter& fits = {});
 
 // A trajectory as points about a metre apart of the survey walk with that index.
 void AppendSurveyPath(const Trajectory& trajectory, std::uint32_t walk,

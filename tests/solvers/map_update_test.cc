@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "frontends/radio_map/trainer.h"
 #include "solvers/synthetic_site.h"
 
 namespace walkgraph {
@@ -71,6 +73,63 @@ TEST(MapUpdate, MovesTheSurveyAndForgetsTheVanished) {
   const RadioMap& map = updated.maps.at(0);
   const double now = map.EvaluateValue(map.FindField(0), EvaluateBasis(map.grid, at)).mean_dbm;
   EXPECT_NEAR(now - site.MeanDbm(0, at), 8, 3);
+}
+
+std::vector<double> MeansOf(const Site& site) {
+  const RadioMap& map = site.maps.at(0);
+  std::vector<double> means;
+  for (const auto& [x, y] : {std::pair(24.0, 18.0), {10.0, 10.0}, {40.0, 28.0}}) {
+    const FieldBasis basis = EvaluateBasis(map.grid, {x, y});
+    for (std::size_t f = 0; f < map.fields.size(); ++f) {
+      means.push_back(map.EvaluateValue(static_cast<int>(f), basis).mean_dbm);
+    }
+  }
+  return means;
+}
+
+// Located readings are placed worse than surveyed ones: where nothing changed the survey's stay
+// alone, and the walks only count as heard.
+TEST(MapUpdate, FieldsOfWhatDidNotChangeStayTheSurveys) {
+  SyntheticSite site(54, 12);
+  const LocatedWalks located(&site, 0, false);
+  for (const TransmitterChange& change :
+       FindChanges(site.site, site.site.maps[0], located.walks(), {})) {
+    ASSERT_FALSE(change.changed()) << change.transmitter;
+  }
+  Site retrained = site.site;
+  RetrainMaps({}, site.site, &retrained);
+  MapChangeSettings settings;
+  settings.near_survey_m = 1000;
+  EXPECT_EQ(MeansOf(UpdateSite(site.site, located.walks(), {}, settings)), MeansOf(retrained));
+  settings.near_survey_m = -1;
+  EXPECT_NE(MeansOf(UpdateSite(site.site, located.walks(), {}, settings)), MeansOf(retrained));
+}
+
+// A transmitter that has lost 12 dB is no longer heard where it was weak.
+TEST(MapUpdate, WhatFallsUnderTheWeakestReadingIsNotHeard) {
+  SyntheticSite site(55, 12);
+  const LocatedWalks located(&site, -12, false);
+  const auto readings_of_first = [](const Site& of, std::size_t scans) {
+    std::vector<float> values;
+    for (std::size_t s = 0; s < scans; ++s) {
+      for (const SurveyReading& reading : of.scans[s].readings) {
+        if (reading.transmitter == 0) values.push_back(reading.rssi_dbm);
+      }
+    }
+    return values;
+  };
+  float weakest_dbm = 0;
+  for (const SurveyScan& scan : site.site.scans) {
+    for (const SurveyReading& reading : scan.readings) {
+      weakest_dbm = std::min(weakest_dbm, reading.rssi_dbm);
+    }
+  }
+  const Site updated = UpdateSite(site.site, located.walks(), {}, {});
+  const std::vector<float> before = readings_of_first(site.site, site.site.scans.size());
+  const std::vector<float> after = readings_of_first(updated, site.site.scans.size());
+  ASSERT_FALSE(after.empty());
+  EXPECT_LT(after.size(), before.size());
+  EXPECT_GE(*std::min_element(after.begin(), after.end()), weakest_dbm);
 }
 
 // A transmitter that the survey never heard joins, and nobody else's readings change hands.
