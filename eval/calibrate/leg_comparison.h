@@ -29,8 +29,8 @@ WalkLegs CompareLegs(const Evidence& evidence, const Truth& truth, const DeadRec
 // Precondition: not empty.
 double WalkMean(const WalkLegs& legs, double Leg::*value, bool circular);
 
-// Variances of the end of a leg against its beginning, along or across it: by its two waypoints, and
-// by each of its steps. And of its direction, by a compass that errs anew after the correlation
+// Variances of the end of a leg against its beginning, along or across it: by its two waypoints,
+// and by each of its steps. And of its direction, by a compass that errs anew after the correlation
 // time.
 struct LegError {
   double waypoints_m2 = 0;
