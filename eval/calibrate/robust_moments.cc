@@ -66,6 +66,7 @@ Moments RandomEffects(const std::vector<double>& values,
   Moments moments = ClippedMoments(values);
   if (moments.samples < 2) return moments;
   const double center = Median(values), width = ClipWidth(values, center);
+  double standard_error = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     double weights = 0, sum = 0, squared_weights = 0, excess = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -81,8 +82,10 @@ Moments RandomEffects(const std::vector<double>& values,
     moments.mean = sum / weights;
     // The fixed point is where the likelihood's derivative vanishes.
     moments.variance = std::max(0.0, excess / squared_weights);
+    standard_error = std::sqrt(2.0 / squared_weights);
     if (std::abs(moments.variance - before) <= kConverged * before) break;
   }
+  moments.variance = std::max(moments.variance, standard_error);
   return moments;
 }
 

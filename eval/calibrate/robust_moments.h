@@ -21,7 +21,9 @@ Moments ClippedMoments(const std::vector<double>& values);
 
 // Mean and variance of what stands behind values that each have an error of their own, of known
 // variance: the random-effects model of meta-analysis by maximum likelihood, after the clipping
-// above. The variance is zero where the errors explain everything. One `error_variance` a value.
+// above. The variance is at least its own standard error: from fewer values a smaller one cannot be
+// told, and as a prior a spread that is too small costs more than one that is too large. One
+// `error_variance` a value.
 Moments RandomEffects(const std::vector<double>& values, const std::vector<double>& error_variance);
 
 struct Line {

@@ -69,7 +69,9 @@ TEST(RandomEffectsTest, ClosedFormOfEqualErrors) {
   EXPECT_NEAR(exact.mean, 3, 1e-9);
   EXPECT_NEAR(exact.variance, 2.0, 1e-5);
   EXPECT_NEAR(RandomEffects(values, std::vector<double>(5, 0.5)).variance, 1.5, 1e-5);
-  EXPECT_EQ(RandomEffects(values, std::vector<double>(5, 2.5)).variance, 0);
+  // Errors explain everything: what is left is the standard error, sqrt(2 / 5) times theirs.
+  EXPECT_NEAR(RandomEffects(values, std::vector<double>(5, 2.5)).variance, 2.5 * std::sqrt(0.4),
+              1e-9);
   EXPECT_EQ(RandomEffects({}, {}).samples, 0U);
 }
 
