@@ -166,10 +166,11 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
   if (has_turn && offset.pairs >= kMinSamples) {
     const double beyond =
         0.5 * (offset.variance_over_lag.intercept - turn.variance_over_lag.intercept);
-    error.own_correlation_s = settings->absolute_heading.correlation_s;
-    error.own_rad2 = std::max(0.0, beyond) / MeanShareLeft(absolute, error.own_correlation_s);
+    error.compass_correlation_s = settings->absolute_heading.correlation_s;
+    error.compass_rad2 =
+        std::max(0.0, beyond) / MeanShareLeft(absolute, error.compass_correlation_s);
     report->Set("absolute_heading.sigma_rad",
-                std::max(kSmallestHeadingSigma, std::sqrt(error.own_rad2)), offset.pairs,
+                std::max(kSmallestHeadingSigma, std::sqrt(error.compass_rad2)), offset.pairs,
                 "pairs of legs", &settings->absolute_heading.sigma_rad);
   }
   CalibrateOffset(absolute, offset, error, settings, report);

@@ -85,7 +85,7 @@ double VarianceOfWalkMean(const WalkLegs& legs, const LegError& error) {
     const double weight = leg.length_m * leg.length_m;
     weights += weight;
     variance += weight * (error.waypoints_m2 + leg.steps * error.step_m2);
-    variance += weight * weight * error.own_rad2 * ShareLeft(leg, error.own_correlation_s);
+    variance += weight * weight * error.compass_rad2 * ShareLeft(leg, error.compass_correlation_s);
     if (i == 0 || !Adjoin(legs[i - 1], leg)) continue;
     const double turn = std::cos(leg.direction_rad - legs[i - 1].direction_rad);
     variance -= legs[i - 1].length_m * leg.length_m * error.waypoints_m2 * turn;

@@ -35,8 +35,8 @@ double WalkMean(const WalkLegs& legs, double Leg::*value, bool circular);
 struct LegError {
   double waypoints_m2 = 0;
   double step_m2 = 0;
-  double own_rad2 = 0;
-  double own_correlation_s = 1;
+  double compass_rad2 = 0;
+  double compass_correlation_s = 1;
 };
 
 // What the mean over a leg leaves of the variance of an error that is drawn anew after a time.

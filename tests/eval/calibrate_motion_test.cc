@@ -128,12 +128,17 @@ TEST(CalibrateMotionTest, RecoversSpreadsOverWalks) {
   EXPECT_NEAR(settings.heading_offset.prior_sigma_rad, 0.1, 0.02);
 }
 
-// On walks of three legs the mean scale errs by as much as people differ: without reckoning with
-// it the spread would come to 0.05.
-TEST(CalibrateMotionTest, ErrorsOfShortWalksAreNoSpreadOfScales) {
+Gait ShortWalks() {
   Gait gait;
   gait.walks = 500;
   gait.legs = 3;
+  return gait;
+}
+
+// On walks of three legs the mean scale errs by as much as people differ: without reckoning with
+// it the spread would come to 0.05.
+TEST(CalibrateMotionTest, ErrorsOfShortWalksAreNoSpreadOfScales) {
+  Gait gait = ShortWalks();
   gait.scale_sigma = 0.03;
   gait.waypoint_m = 0.5;
   EXPECT_NEAR(Calibrate(gait).step_scale.prior_sigma, 0.03, 0.008);
@@ -142,9 +147,7 @@ TEST(CalibrateMotionTest, ErrorsOfShortWalksAreNoSpreadOfScales) {
 }
 
 TEST(CalibrateMotionTest, ErrorsOfTheCompassAreNoSpreadOfOffsets) {
-  Gait gait;
-  gait.walks = 500;
-  gait.legs = 3;
+  Gait gait = ShortWalks();
   gait.offset_sigma_rad = 0.05;
   gait.heading_error_rad = 0.25;
   EXPECT_NEAR(Calibrate(gait).heading_offset.prior_sigma_rad, 0.05, 0.012);
