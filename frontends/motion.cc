@@ -1,6 +1,7 @@
 #include "frontends/motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -9,6 +10,9 @@
 
 namespace walkgraph {
 namespace {
+
+// Walking itself sways a phone by less than this.
+constexpr double kLeastSwingRad = 0.1;
 
 // Appends a span, joining it to the one before where they touch and are of one state.
 void Append(TimeNs begin_ns, TimeNs end_ns, MotionState state, std::vector<MotionInterval>* out) {
@@ -46,6 +50,40 @@ std::vector<TimeSpan> TurnedOver(const Stream<Eigen::Vector3d>& up,
                     [&](std::size_t i) { return mean[i].norm() < calm_length; });
 }
 
+// The yaw of [first, last] as swings from one extreme to the next; what turns back by less than
+// kLeastSwingRad is part of the swing. Returns twice what the swings to one side add up to beyond
+// the widest of them, of the side where that is less, rad: a turn to the left and one to the right,
+// as of a walker who rounds two corners, are none.
+double SwayBeyondTwoTurns(const std::vector<double>& yaw_rad, std::size_t first, std::size_t last) {
+  double low = yaw_rad[first], high = yaw_rad[first];  // since the last extreme
+  double direction = 0, start = yaw_rad[first];
+  std::array<double, 2> sum{}, widest{};  // by side
+  const auto end_swing = [&](double to) {
+    const double swing = std::abs(to - start);
+    const std::size_t side = direction > 0 ? 1 : 0;
+    sum[side] += swing;
+    widest[side] = std::max(widest[side], swing);
+    start = to;
+  };
+  for (std::size_t i = first; i <= last; ++i) {
+    low = std::min(low, yaw_rad[i]);
+    high = std::max(high, yaw_rad[i]);
+    if (direction <= 0 && yaw_rad[i] > low + kLeastSwingRad) {
+      if (direction < 0) end_swing(low);
+      if (direction == 0) start = low;
+      direction = 1;
+      high = yaw_rad[i];
+    } else if (direction >= 0 && yaw_rad[i] < high - kLeastSwingRad) {
+      if (direction > 0) end_swing(high);
+      if (direction == 0) start = high;
+      direction = -1;
+      low = yaw_rad[i];
+    }
+  }
+  if (direction != 0) end_swing(direction > 0 ? high : low);
+  return 2 * std::min(sum[0] - widest[0], sum[1] - widest[1]);
+}
+
 std::vector<TimeSpan> Swayed(const Stream<double>& yaw_rad, const HandlingSettings& settings) {
   Stream<double> yaw = yaw_rad;
   yaw.value = CenteredMean(yaw.time_ns, yaw.value, settings.yaw_smoothing_s);
@@ -60,8 +98,10 @@ std::vector<TimeSpan> Swayed(const Stream<double>& yaw_rad, const HandlingSettin
   return SpansWhere(yaw.time_ns, settings.sway_window_s, [&](std::size_t i) {
     while (yaw.time_ns[first] < yaw.time_ns[i] - half_ns) ++first;
     while (last + 1 < n && yaw.time_ns[last + 1] <= yaw.time_ns[i] + half_ns) ++last;
+    // The way beyond the net change is never less than the sway, and known at once.
     const double net = std::abs(yaw.value[last] - yaw.value[first]);
-    return way[last] - way[first] - net > settings.sway_rad;
+    return way[last] - way[first] - net > settings.sway_rad &&
+           SwayBeyondTwoTurns(yaw.value, first, last) > settings.sway_rad;
   });
 }
 

@@ -18,8 +18,8 @@ struct TimeSpan {
 // Where the hand plays with the phone. Two signs, each far above what walking does:
 // - turning it over: the spread of the direction of gravity in the device (circular standard
 //   deviation over a window);
-// - swaying it about the vertical: the way that the yaw goes inside a window beyond its net change
-//   (a turn of the walker, however fast, is all net change).
+// - swaying it about the vertical: the yaw that goes to and fro inside a window, beyond the widest
+//   turn to either side (one to the left and one to the right are a walker who rounds two corners).
 // Both say "somewhere in this window", so that spans reach half a window beyond the samples that
 // show them. Without gyroscope (`yaw_rad` empty) only the first counts. Spans are disjoint, sorted
 // and inside the times of `up`.

@@ -120,6 +120,21 @@ TEST(Motion, SharpTurnsOfTheWalkerAreNotHandling) {
   }
 }
 
+TEST(Motion, CornersInQuickSuccessionAreNotHandling) {
+  // A right angle to the left and, a second and a half later, one to the right, again and again;
+  // then three to the left with a little swing back after each, as on winding stairs.
+  const Evidence evidence = WithYawRate([](double t) {
+    if (t > 20 && t < 23) return std::fmod(t, 1.0) < 0.8 ? std::numbers::pi / 1.6 : -1.0;
+    const double phase = std::fmod(t, 3.0);
+    if (phase < 0.5) return std::numbers::pi;
+    return phase >= 1.5 && phase < 2.0 ? -std::numbers::pi : 0.0;
+  });
+  EXPECT_EQ(evidence.steps.size(), 40u);
+  for (const MotionInterval& interval : evidence.motion) {
+    EXPECT_NE(interval.state, MotionState::kHandling);
+  }
+}
+
 TEST(Motion, OverlappingHandlingAndStepsStillTile) {
   const std::vector<TimeSpan> handling = {{10, 20}, {50, 300}};
   const std::vector<StepEvidence> steps = {{.begin_ns = 15, .end_ns = 30, .length_m = 1},
