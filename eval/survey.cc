@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <map>
+#include <string>
 
 #include "data/dataset.h"
 #include "data/input_error.h"
@@ -63,6 +67,55 @@ std::string CompareSurveyPositions(const LearnOptions& options, const Building& 
   return FormatLeftOut(rows);
 }
 
+// A line of text as printf would have it.
+template <typename... Values>
+std::string Line(const char* format, Values... values) {
+  std::array<char, 160> line;
+  std::snprintf(line.data(), line.size(), format, values...);
+  return line.data();
+}
+
+// Spread over survey walks of what their phones add to all readings of a radio, dB.
+double PhoneSpread(const Site& site, Radio radio) {
+  std::map<std::uint32_t, double> offset_db;
+  for (const SurveyScan& scan : site.scans) {
+    if (scan.radio == radio) offset_db[scan.walk] = scan.phone_offset_db;
+  }
+  double sum = 0, sum_of_squares = 0;
+  for (const auto& [walk, offset] : offset_db) {
+    sum += offset;
+    sum_of_squares += offset * offset;
+  }
+  const auto count = static_cast<double>(offset_db.size());
+  return count > 0 ? std::sqrt(std::max(0.0, sum_of_squares / count - std::pow(sum / count, 2)))
+                   : 0.0;
+}
+
+// What was calibrated with the maps and lies in the site, as comments.
+std::string CalibrationOfSite(const Site& site) {
+  std::string text;
+  for (const RadioMap& map : site.maps) {
+    text += Line(
+        "# In the site, floor %d %s: n_eff %.3g, map error %.3g m, and %.3g m more per metre "
+        "from the survey\n",
+        map.floor, RadioName(map.radio), map.n_eff, map.map_error_sigma_m, map.map_error_growth);
+  }
+  for (const MagneticMap& map : site.magnetic_maps) {
+    text += Line("# In the site, floor %d magnetic: correlation %.3g s, map error %.3g m\n",
+                 map.floor, map.correlation_s, map.map_error_sigma_m);
+  }
+  for (const Radio radio : kAllRadios) {
+    if (std::none_of(site.maps.begin(), site.maps.end(),
+                     [radio](const RadioMap& map) { return map.radio == radio; })) {
+      continue;
+    }
+    text += Line("# In the site, %s readings lag by %.2f s, and walks hear %.1f dB apart\n",
+                 RadioName(radio), site.reading_lag_s[static_cast<std::size_t>(radio)],
+                 PhoneSpread(site, radio));
+  }
+  return text;
+}
+
 }  // namespace
 
 int SurveyDataset(const LearnOptions& options) {
@@ -93,33 +146,8 @@ int CalibrateDataset(const LearnOptions& options) {
   const Fold fold = PrepareFold(dataset.building, training, {}, options.overrides,
                                 ThreadedExecutor(options.workers));
   if (options.stopped()) return kExitInterrupted;
-  std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n";
-  for (const RadioMap& map : fold.site.maps) {
-    std::array<char, 160> line;
-    std::snprintf(
-        line.data(), line.size(),
-        "# In the site, floor %d %s: n_eff %.3g, map error %.3g m, and %.3g m more per metre "
-        "from the survey\n",
-        map.floor, RadioName(map.radio), map.n_eff, map.map_error_sigma_m, map.map_error_growth);
-    text += line.data();
-  }
-  for (const MagneticMap& map : fold.site.magnetic_maps) {
-    std::array<char, 160> line;
-    std::snprintf(line.data(), line.size(),
-                  "# In the site, floor %d magnetic: correlation %.3g s, map error %.3g m\n",
-                  map.floor, map.correlation_s, map.map_error_sigma_m);
-    text += line.data();
-  }
-  for (const Radio radio : kAllRadios) {
-    if (std::none_of(fold.site.maps.begin(), fold.site.maps.end(),
-                     [radio](const RadioMap& map) { return map.radio == radio; })) {
-      continue;
-    }
-    std::array<char, 80> line;
-    std::snprintf(line.data(), line.size(), "# In the site, %s readings lag by %.2f s\n",
-                  RadioName(radio), fold.site.reading_lag_s[static_cast<std::size_t>(radio)]);
-    text += line.data();
-  }
+  std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n" +
+                     CalibrationOfSite(fold.site);
   text += PrintChanges(Settings(), fold.settings);
   WriteFileWhole(options.out, text);
   std::fputs(text.c_str(), stdout);

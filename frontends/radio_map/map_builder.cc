@@ -157,8 +157,9 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
   for (const SurveyScan* scan : scans) {
     for (const SurveyReading& reading : scan->readings) {
       if (detail.fits && !detail.fits(*scan, reading)) continue;
-      readings[reading.transmitter].push_back(
-          {reading.position_m.cast<double>(), reading.rssi_dbm, scan->walk, scan->trial});
+      readings[reading.transmitter].push_back({reading.position_m.cast<double>(),
+                                               double{reading.rssi_dbm} - scan->phone_offset_db,
+                                               scan->walk, scan->trial});
     }
   }
   for (auto& [transmitter, list] : readings) {

@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 6;
+constexpr std::uint32_t kVersion = 7;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -219,6 +219,7 @@ void ArchiveScan(A& a, S& scan) {
   a.Scalar(scan.trial);
   a.Scalar(scan.floor);
   a.Scalar(scan.radio);
+  a.Scalar(scan.phone_offset_db);
   Each(a, scan.readings, [](A& b, auto& reading) {
     b.Scalar(reading.transmitter);
     b.Scalar(reading.rssi_dbm);
