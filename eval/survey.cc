@@ -76,10 +76,10 @@ std::string Line(const char* format, Values... values) {
 }
 
 // Spread over survey walks of what their phones add to all readings of a radio, dB.
-double PhoneSpread(const Site& site, Radio radio) {
+double DeviceSpread(const Site& site, Radio radio) {
   std::map<std::uint32_t, double> offset_db;
   for (const SurveyScan& scan : site.scans) {
-    if (scan.radio == radio) offset_db[scan.walk] = scan.phone_offset_db;
+    if (scan.radio == radio) offset_db[scan.walk] = scan.device_offset_db;
   }
   double sum = 0, sum_of_squares = 0;
   for (const auto& [walk, offset] : offset_db) {
@@ -111,7 +111,7 @@ std::string CalibrationOfSite(const Site& site) {
     }
     text += Line("# In the site, %s readings lag by %.2f s, and walks hear %.1f dB apart\n",
                  RadioName(radio), site.reading_lag_s[static_cast<std::size_t>(radio)],
-                 PhoneSpread(site, radio));
+                 DeviceSpread(site, radio));
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -12,97 +13,152 @@
 namespace walkgraph {
 namespace {
 
-// Transmitter, floor, and column and row of the square.
-using Square = std::tuple<std::uint32_t, int, long, long>;
+// The eigenvectors of more walks would take minutes; an even selection of them tells the variances.
+constexpr std::size_t kMostWalksForVariances = 1000;
 
+// What a walk heard of a transmitter in one square, on average.
 struct WalkMean {
-  double sum_dbm = 0, count = 0;
-  double Mean() const { return sum_dbm / count; }
+  std::uint32_t walk = 0;
+  double rssi_dbm = 0;
 };
 
-using MeansByWalk = std::map<std::uint32_t, WalkMean>;
+// The walks that heard one transmitter in one square, two at least.
+using SharedSquare = std::vector<WalkMean>;
 
-std::map<Square, MeansByWalk> GatherMeans(const std::vector<SurveyScan>& scans, Radio radio,
-                                          double square_m) {
-  std::map<Square, MeansByWalk> means;
+std::vector<SharedSquare> FindSharedSquares(const std::vector<SurveyScan>& scans, Radio radio,
+                                            double square_m) {
+  using Square = std::tuple<std::uint32_t, int, long, long>;  // transmitter, floor, column, row
+  std::map<Square, std::map<std::uint32_t, std::pair<double, double>>> sums;
   for (const SurveyScan& scan : scans) {
     if (scan.radio != radio) continue;
     for (const SurveyReading& reading : scan.readings) {
       const Eigen::Vector2d at = reading.position_m.cast<double>() / square_m;
-      WalkMean& mean = means[{reading.transmitter, scan.floor, std::lround(at.x()),
-                              std::lround(at.y())}][scan.walk];
-      mean.sum_dbm += reading.rssi_dbm;
-      ++mean.count;
+      auto& [sum, count] = sums[{reading.transmitter, scan.floor, std::lround(at.x()),
+                                 std::lround(at.y())}][scan.walk];
+      sum += reading.rssi_dbm;
+      ++count;
     }
   }
-  return means;
+  std::vector<SharedSquare> shared;
+  for (const auto& [square, walks] : sums) {
+    if (walks.size() < 2) continue;
+    SharedSquare& means = shared.emplace_back();
+    for (const auto& [walk, sum] : walks) means.push_back({walk, sum.first / sum.second});
+  }
+  return shared;
 }
 
-// The normal equations of the offsets once the squares' levels are eliminated.
-struct LevelledEquations {
-  Eigen::MatrixXd information;  // walks x walks, for noise of variance 1
-  Eigen::VectorXd right;
-  double sum_of_squares = 0;  // about the squares' levels
-  double contrasts = 0;       // means that a square has beyond its first
-};
+// Every `stride`-th walk, renumbered.
+std::vector<SharedSquare> SelectWalks(const std::vector<SharedSquare>& squares,
+                                      std::size_t stride) {
+  std::vector<SharedSquare> selected;
+  for (const SharedSquare& square : squares) {
+    SharedSquare kept;
+    for (const WalkMean& mean : square) {
+      if (mean.walk % stride != 0) continue;
+      kept.push_back({static_cast<std::uint32_t>(mean.walk / stride), mean.rssi_dbm});
+    }
+    if (kept.size() >= 2) selected.push_back(std::move(kept));
+  }
+  return selected;
+}
 
-LevelledEquations EliminateLevels(const std::map<Square, MeansByWalk>& squares, std::size_t walks) {
+// Subtracts from the values of a square's walks their mean, which eliminates its level.
+template <typename Visitor>
+void VisitDeviations(const SharedSquare& square, Visitor&& visit) {
+  double level = 0;
+  for (const WalkMean& mean : square) level += mean.rssi_dbm / static_cast<double>(square.size());
+  for (const WalkMean& mean : square) visit(mean.walk, mean.rssi_dbm - level);
+}
+
+// The right side of the offsets' normal equations, for noise of variance 1.
+Eigen::VectorXd RightSide(const std::vector<SharedSquare>& squares, std::size_t walks) {
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(walks));
+  for (const SharedSquare& square : squares) {
+    VisitDeviations(square,
+                    [&](std::uint32_t walk, double deviation_db) { right[walk] += deviation_db; });
+  }
+  return right;
+}
+
+// Their matrix times x.
+Eigen::VectorXd InformationTimes(const std::vector<SharedSquare>& squares,
+                                 const Eigen::VectorXd& x) {
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(x.size());
+  for (const SharedSquare& square : squares) {
+    double mean = 0;
+    for (const WalkMean& walk : square) mean += x[walk.walk] / static_cast<double>(square.size());
+    for (const WalkMean& walk : square) product[walk.walk] += x[walk.walk] - mean;
+  }
+  return product;
+}
+
+// Their matrix itself.
+Eigen::MatrixXd Information(const std::vector<SharedSquare>& squares, std::size_t walks) {
   const auto n = static_cast<Eigen::Index>(walks);
-  LevelledEquations equations{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
-  for (const auto& [square, means] : squares) {
-    if (means.size() < 2) continue;
-    const auto count = static_cast<double>(means.size());
-    double level = 0;
-    for (const auto& [walk, mean] : means) level += mean.Mean() / count;
-    for (const auto& [walk, mean] : means) {
-      const double residual = mean.Mean() - level;
-      equations.right[walk] += residual;
-      equations.sum_of_squares += residual * residual;
-      equations.information(walk, walk) += 1;
-      for (const auto& [other, unused] : means) equations.information(walk, other) -= 1 / count;
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
+  for (const SharedSquare& square : squares) {
+    for (const WalkMean& a : square) {
+      information(a.walk, a.walk) += 1;
+      for (const WalkMean& b : square) {
+        information(a.walk, b.walk) -= 1 / static_cast<double>(square.size());
+      }
     }
-    equations.contrasts += count - 1;
   }
-  return equations;
+  return information;
 }
 
-// The restricted likelihood as a function of the variance of offsets over that of the noise alone,
-// whose own variance is the best for each ratio. In the eigenvectors of the information.
-class VarianceRatio {
- public:
-  VarianceRatio(const Eigen::VectorXd& eigenvalues, const Eigen::VectorXd& right,
-                const LevelledEquations& equations)
-      : eigenvalues_(eigenvalues.cwiseMax(0)), right_(right), equations_(equations) {}
-
-  Eigen::VectorXd Offsets(double ratio) const {
-    return ratio * right_.array() / (1 + ratio * eigenvalues_.array());
-  }
-
-  double NoiseVariance(double ratio) const {
-    const double explained = right_.dot(Offsets(ratio));
-    return std::max(1e-12, equations_.sum_of_squares - explained) / equations_.contrasts;
-  }
-
-  double Best() const {
-    double best = 0;
-    double least = MinusTwoLogLikelihood(0);
-    for (double log10_ratio = -4; log10_ratio <= 3; log10_ratio += 0.02) {
-      const double ratio = std::pow(10, log10_ratio);
-      const double value = MinusTwoLogLikelihood(ratio);
-      if (value < least) std::tie(best, least) = std::pair(ratio, value);
-    }
-    return best;
-  }
-
- private:
-  double MinusTwoLogLikelihood(double ratio) const {
-    return equations_.contrasts * std::log(NoiseVariance(ratio)) +
-           (ratio * eigenvalues_.array()).log1p().sum();
-  }
-
-  Eigen::VectorXd eigenvalues_, right_;
-  const LevelledEquations& equations_;
+struct Variances {
+  double ratio = 0;           // of the offsets' variance over that of the noise
+  double noise_variance = 0;  // dB^2
 };
+
+// Maximises the restricted likelihood over the ratio; the noise is the best for each ratio.
+Variances BestVariances(const std::vector<SharedSquare>& squares, std::size_t walks) {
+  double sum_of_squares = 0, contrasts = 0;
+  for (const SharedSquare& square : squares) {
+    VisitDeviations(square, [&](std::uint32_t, double deviation_db) {
+      sum_of_squares += deviation_db * deviation_db;
+    });
+    contrasts += static_cast<double>(square.size()) - 1;
+  }
+  if (contrasts <= 0) return {};
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Information(squares, walks));
+  const Eigen::ArrayXd eigenvalues = eigen.eigenvalues().cwiseMax(0);
+  const Eigen::ArrayXd right = eigen.eigenvectors().transpose() * RightSide(squares, walks);
+  Variances best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto try_ratio = [&](double ratio) {
+    const Eigen::ArrayXd spread = 1 + ratio * eigenvalues;
+    const double explained = (ratio * right.square() / spread).sum();
+    const double noise_variance = std::max(1e-12, sum_of_squares - explained) / contrasts;
+    const double cost = contrasts * std::log(noise_variance) + spread.log().sum();
+    if (cost < least) {
+      least = cost;
+      best = {ratio, noise_variance};
+    }
+  };
+  try_ratio(0);
+  for (int step = -200; step <= 150; ++step) try_ratio(std::pow(10, step / 50.0));
+  return best;
+}
+
+// Conjugate gradients on the normal equations with the prior that the ratio makes.
+Eigen::VectorXd SolveOffsets(const std::vector<SharedSquare>& squares, std::size_t walks,
+                             double ratio) {
+  const Eigen::VectorXd right = RightSide(squares, walks);
+  Eigen::VectorXd offsets = Eigen::VectorXd::Zero(right.size());
+  Eigen::VectorXd residual = right, direction = right;
+  for (std::size_t i = 0; i < 2 * walks && residual.norm() > 1e-10 * right.norm(); ++i) {
+    const Eigen::VectorXd image = InformationTimes(squares, direction) + direction / ratio;
+    const double before = residual.squaredNorm();
+    const double step = before / direction.dot(image);
+    offsets += step * direction;
+    residual -= step * image;
+    direction = residual + residual.squaredNorm() / before * direction;
+  }
+  return offsets;
+}
 
 }  // namespace
 
@@ -112,25 +168,24 @@ DeviceOffsets EstimateDeviceOffsets(const std::vector<SurveyScan>& scans, Radio 
   std::size_t walks = 0;
   for (const SurveyScan& scan : scans) walks = std::max<std::size_t>(walks, scan.walk + 1);
   offsets.offset_db.assign(walks, 0.0);
-  const LevelledEquations equations = EliminateLevels(GatherMeans(scans, radio, square_m), walks);
-  if (equations.contrasts <= 0) return offsets;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(equations.information);
-  const VarianceRatio ratios(eigen.eigenvalues(),
-                             eigen.eigenvectors().transpose() * equations.right, equations);
-  const double ratio = ratios.Best();
-  Eigen::Map<Eigen::VectorXd>(offsets.offset_db.data(), static_cast<Eigen::Index>(walks)) =
-      eigen.eigenvectors() * ratios.Offsets(ratio);
-  offsets.reading_sigma_db = std::sqrt(ratios.NoiseVariance(ratio));
-  offsets.spread_db = std::sqrt(ratio) * offsets.reading_sigma_db;
+  const std::vector<SharedSquare> squares = FindSharedSquares(scans, radio, square_m);
+  const std::size_t stride = walks / kMostWalksForVariances + 1;
+  const Variances variances = BestVariances(SelectWalks(squares, stride), walks / stride + 1);
+  offsets.reading_sigma_db = std::sqrt(variances.noise_variance);
+  offsets.spread_db = std::sqrt(variances.ratio) * offsets.reading_sigma_db;
+  if (variances.ratio > 0) {
+    const Eigen::VectorXd solution = SolveOffsets(squares, walks, variances.ratio);
+    offsets.offset_db.assign(solution.begin(), solution.end());
+  }
   return offsets;
 }
 
-void SetPhoneOffsets(double square_m, std::vector<SurveyScan>* scans) {
+void SetDeviceOffsets(double square_m, std::vector<SurveyScan>* scans) {
   for (const Radio radio : kAllRadios) {
     const DeviceOffsets offsets = EstimateDeviceOffsets(*scans, radio, square_m);
     for (SurveyScan& scan : *scans) {
       if (scan.radio != radio) continue;
-      scan.phone_offset_db = static_cast<float>(offsets.offset_db[scan.walk]);
+      scan.device_offset_db = static_cast<float>(offsets.offset_db[scan.walk]);
     }
   }
 }

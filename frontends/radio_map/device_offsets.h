@@ -8,8 +8,8 @@
 
 namespace walkgraph {
 
-// By how much each survey walk hears everything louder than the survey's average, which is what its
-// phone and the way of holding it add to every reading of a radio.
+// By how much each survey walk hears everything louder than the survey's average: what its device
+// and the way of holding it add to every reading of a radio.
 struct DeviceOffsets {
   std::vector<double> offset_db;  // by SurveyScan::walk; 0 for who met nobody else's readings
   double spread_db = 0;           // standard deviation over walks
@@ -20,12 +20,12 @@ struct DeviceOffsets {
 // noise, on the mean readings of each walk in squares of `square_m`; levels are free, offsets
 // normal. The ratio of both variances maximises the restricted likelihood, the offsets are the best
 // linear unbiased predictions (Searle, Casella and McCulloch, Variance Components, chapter 7).
-// O(walks^3) once, for the eigenvectors.
+// Linear in the readings for the offsets; the variances take the eigenvectors of up to 1,000 walks.
 DeviceOffsets EstimateDeviceOffsets(const std::vector<SurveyScan>& scans, Radio radio,
                                     double square_m);
 
-// Sets the phone_offset_db of all scans, radio by radio.
-void SetPhoneOffsets(double square_m, std::vector<SurveyScan>* scans);
+// Sets the device_offset_db of all scans, radio by radio.
+void SetDeviceOffsets(double square_m, std::vector<SurveyScan>* scans);
 
 }  // namespace walkgraph
 

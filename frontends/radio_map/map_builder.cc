@@ -158,7 +158,7 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
     for (const SurveyReading& reading : scan->readings) {
       if (detail.fits && !detail.fits(*scan, reading)) continue;
       readings[reading.transmitter].push_back({reading.position_m.cast<double>(),
-                                               double{reading.rssi_dbm} - scan->phone_offset_db,
+                                               double{reading.rssi_dbm} - scan->device_offset_db,
                                                scan->walk, scan->trial});
     }
   }

@@ -38,9 +38,9 @@ struct SurveyScan {
   std::uint32_t trial = 0;
   int floor = 0;
   Radio radio = Radio::kWifi;
-  // What the walk's phone adds to every reading of the radio (see device_offsets.h). The readings
+  // What the walk's device adds to every reading of the radio (see device_offsets.h). The readings
   // are as they were heard; fields are fitted to them without it.
-  float phone_offset_db = 0;
+  float device_offset_db = 0;
   std::vector<SurveyReading> readings;
 };
 

@@ -219,7 +219,7 @@ void ArchiveScan(A& a, S& scan) {
   a.Scalar(scan.trial);
   a.Scalar(scan.floor);
   a.Scalar(scan.radio);
-  a.Scalar(scan.phone_offset_db);
+  a.Scalar(scan.device_offset_db);
   Each(a, scan.readings, [](A& b, auto& reading) {
     b.Scalar(reading.transmitter);
     b.Scalar(reading.rssi_dbm);

@@ -101,7 +101,7 @@ void AppendSurveyPath(const Trajectory& trajectory, std::uint32_t walk,
 void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site,
                  const ReadingFilter& fits) {
   site->maps.clear();
-  if (settings.level_phones) SetPhoneOffsets(settings.sample_spacing_m, &site->scans);
+  if (settings.level_devices) SetDeviceOffsets(settings.sample_spacing_m, &site->scans);
   for (const RadioMap& before : calibrated.maps) {
     const FloorSurvey survey = SurveyOf(*site, before.floor, before.radio, settings);
     if (survey.scans.empty()) continue;
@@ -148,7 +148,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                    [](const SurveyScan& a, const SurveyScan& b) {
                      return std::tie(a.walk, a.printed_ns) < std::tie(b.walk, b.printed_ns);
                    });
-  if (settings.level_phones) SetPhoneOffsets(settings.sample_spacing_m, &site.scans);
+  if (settings.level_devices) SetDeviceOffsets(settings.sample_spacing_m, &site.scans);
   TrainMaps(settings, run, &site);
   site.magnetic_maps = TrainMagneticMaps(site);
   return site;

@@ -121,6 +121,25 @@ TEST(DeviceOffsetsTest, WhoMeetsNobodyAndOtherRadiosStayOut) {
   EXPECT_TRUE(EstimateDeviceOffsets({}, Radio::kWifi, kSquareM).offset_db.empty());
 }
 
+// More walks than the variances are taken from: the others' offsets are found all the same.
+TEST(DeviceOffsetsTest, ThousandsOfWalksAreLevelledToo) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  std::vector<double> truth(2500);
+  for (double& offset_db : truth) offset_db = 4 * normal(random);
+  const DeviceOffsets offsets =
+      EstimateDeviceOffsets(Balanced(truth, 16, 2, 9), Radio::kWifi, kSquareM);
+  EXPECT_NEAR(offsets.spread_db, 4, 0.3);
+  EXPECT_NEAR(offsets.reading_sigma_db, 2, 0.05);
+  double square_error = 0;
+  for (std::size_t w = 0; w < truth.size(); ++w) {
+    square_error +=
+        std::pow(offsets.offset_db[w] - truth[w], 2) / static_cast<double>(truth.size());
+  }
+  // A mean of 16 readings is known to half a decibel.
+  EXPECT_LT(std::sqrt(square_error), 0.55);
+}
+
 // Mean error of the fields at places that the survey knows, and their mean sigma, dB.
 struct FieldQuality {
   double error_db = 0, sigma_db = 0;
@@ -165,13 +184,13 @@ TEST(DeviceOffsetsTest, FieldsOfASurveyWithManyPhonesAreThoseOfOne) {
   const Site levelled = TrainSite(world.building, walks, {});
   const FieldQuality as_one = QualityOf(world, levelled);
   TrainerSettings raw;
-  raw.level_phones = false;
+  raw.level_devices = false;
   const FieldQuality mixed = QualityOf(world, TrainSite(world.building, walks, raw));
   EXPECT_LT(as_one.error_db, 1.2 * one_phone.error_db + 0.3);
   EXPECT_LT(as_one.sigma_db, 1.15 * one_phone.sigma_db);
   EXPECT_GT(mixed.sigma_db, 1.3 * one_phone.sigma_db);
   for (const SurveyScan& scan : levelled.scans) {
-    EXPECT_NEAR(scan.phone_offset_db, scan.walk < first_phone ? 6 : -6, 1.5) << scan.walk;
+    EXPECT_NEAR(scan.device_offset_db, scan.walk < first_phone ? 6 : -6, 1.5) << scan.walk;
   }
 }
 
