@@ -38,10 +38,10 @@ struct SurveyScan {
   std::uint32_t trial = 0;
   int floor = 0;
   Radio radio = Radio::kWifi;
+  std::vector<SurveyReading> readings;
   // What the walk's device adds to every reading of the radio (see device_offsets.h). The readings
   // are as they were heard; fields are fitted to them without it.
   float device_offset_db = 0;
-  std::vector<SurveyReading> readings;
 };
 
 // The magnetic field of half a second of a survey walk, where the person was then.

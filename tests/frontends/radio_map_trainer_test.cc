@@ -266,8 +266,7 @@ TEST(CoveringGridTest, TheBoxAndThePathLieInsideTheSpline) {
 }
 
 TEST(CollectSamplesTest, MergesNeighboursOfOneWalkOnly) {
-  SurveyScan first, second;
-  second.walk = second.trial = 1;
+  SurveyScan first{0, 0, 0, 0, Radio::kWifi, {}}, second{0, 1, 1, 0, Radio::kWifi, {}};
   first.readings = {{7, -60, 0, {6.0F, 6.1F}}, {7, -70, 0, {6.4F, 5.9F}}, {7, -50, 0, {20, 6}}};
   second.readings = {{7, -80, 0, {6.0F, 6.0F}}};
   const auto samples = CollectSamples({&first, &second}, {});

@@ -37,7 +37,7 @@ Site SmallSite() {
   site.transmitters = {{Radio::kWifi, "ap"}, {Radio::kBeacon, "uuid_1_2_mac"}};
   site.path = {{{1, 2}, -1, 0}, {{2, 2}, -1, 0}};
   site.scans = {
-      {1'560'000'000'000'000'007, 3, 2, -1, Radio::kBeacon, {{1, -71.5F, 0.25F, {1.5F, 2.0F}}}}};
+      {1'560'000'000'000'000'007, 3, 2, -1, Radio::kBeacon, {{1, -71.5F, 0.25F, {1.5F, 2.0F}}}, -2.5F}};
   site.magnetic = {{{1.5F, 2.5F}, -1, 3, 2, 43.5F, 1.0F}};
   RadioMap map;
   map.floor = -1;
@@ -103,6 +103,7 @@ TEST(SiteFileTest, KeepsEveryMember) {
   ASSERT_EQ(site.scans.size(), 1U);
   EXPECT_EQ(site.scans[0].printed_ns, 1'560'000'000'000'000'007);
   EXPECT_EQ(site.scans[0].readings[0].age_s, 0.25F);
+  EXPECT_EQ(site.scans[0].device_offset_db, -2.5F);
   ASSERT_EQ(site.magnetic.size(), 1U);
   EXPECT_EQ(site.magnetic[0].norm_ut, 43.5F);
   ASSERT_NE(site.FindMagneticMap(-1), nullptr);

@@ -145,8 +145,7 @@ Site TwoSides() {
                                                 {-90, -90, -50, -60, -80},
                                                 {-62, -90, -51, -58, -80}};
   for (std::size_t i = 0; i < rssi.size(); ++i) {
-    SurveyScan scan;
-    scan.floor = 1;
+    SurveyScan scan{0, 0, 0, 1, Radio::kWifi, {}};
     for (std::size_t j = 0; j < rssi[i].size(); ++j) {
       const Eigen::Vector2f at(10.0F * static_cast<float>(i), 0);
       scan.readings.push_back({static_cast<std::uint32_t>(j), rssi[i][j], 0, at});
