@@ -36,8 +36,13 @@ Site SmallSite() {
   site.building.connectors = {{"lift", ConnectorKind::kLift, {{-1, {3, 4}}, {0, {3, 4}}}, 1.5}};
   site.transmitters = {{Radio::kWifi, "ap"}, {Radio::kBeacon, "uuid_1_2_mac"}};
   site.path = {{{1, 2}, -1, 0}, {{2, 2}, -1, 0}};
-  site.scans = {
-      {1'560'000'000'000'000'007, 3, 2, -1, Radio::kBeacon, {{1, -71.5F, 0.25F, {1.5F, 2.0F}}}, -2.5F}};
+  site.scans = {{1'560'000'000'000'000'007,
+                 3,
+                 2,
+                 -1,
+                 Radio::kBeacon,
+                 {{1, -71.5F, 0.25F, {1.5F, 2.0F}}},
+                 -2.5F}};
   site.magnetic = {{{1.5F, 2.5F}, -1, 3, 2, 43.5F, 1.0F}};
   RadioMap map;
   map.floor = -1;
