@@ -101,7 +101,6 @@ void AppendSurveyPath(const Trajectory& trajectory, std::uint32_t walk,
 void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site,
                  const ReadingFilter& fits) {
   site->maps.clear();
-  if (settings.level_devices) SetDeviceOffsets(settings.sample_spacing_m, &site->scans);
   for (const RadioMap& before : calibrated.maps) {
     const FloorSurvey survey = SurveyOf(*site, before.floor, before.radio, settings);
     if (survey.scans.empty()) continue;

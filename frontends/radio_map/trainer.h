@@ -67,7 +67,8 @@ using ReadingFilter = std::function<bool(const SurveyScan&, const SurveyReading&
 
 // The maps of the scans that `site` has now, in place of those it had. What is calibrated stays as
 // it was on the survey of the `calibrated` site: walks that were located and not surveyed cannot
-// tell how well walks are located.
+// tell how well walks are located. So do the scans' device offsets: a transmitter that has changed
+// would pass for a device.
 void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* site,
                  const ReadingFilter& fits = {});
 

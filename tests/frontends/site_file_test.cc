@@ -159,7 +159,7 @@ TEST(SiteFileTest, NoticesEveryFlippedByte) {
 TEST(SiteFileTest, NamesTheVersionThatItCannotRead) {
   std::string bytes = SerializeSite(SmallSite());
   bytes[std::string("WALKGRAPHSITE\n").size()] = 99;
-  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 6")));
+  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 7")));
 }
 
 TEST(SiteFileTest, TellsWhatIsNoSite) {
