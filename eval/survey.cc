@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <map>
 #include <string>
 
 #include "data/dataset.h"
@@ -18,6 +15,7 @@
 #include "eval/parallel.h"
 #include "eval/progress.h"
 #include "eval/survey_placement.h"
+#include "frontends/radio_map/device_offsets.h"
 #include "frontends/radio_map/site_file.h"
 
 namespace walkgraph {
@@ -75,24 +73,8 @@ std::string Line(const char* format, Values... values) {
   return line.data();
 }
 
-// Spread over survey walks of what their phones add to all readings of a radio, dB.
-double DeviceSpread(const Site& site, Radio radio) {
-  std::map<std::uint32_t, double> offset_db;
-  for (const SurveyScan& scan : site.scans) {
-    if (scan.radio == radio) offset_db[scan.walk] = scan.device_offset_db;
-  }
-  double sum = 0, sum_of_squares = 0;
-  for (const auto& [walk, offset] : offset_db) {
-    sum += offset;
-    sum_of_squares += offset * offset;
-  }
-  const auto count = static_cast<double>(offset_db.size());
-  return count > 0 ? std::sqrt(std::max(0.0, sum_of_squares / count - std::pow(sum / count, 2)))
-                   : 0.0;
-}
-
 // What was calibrated with the maps and lies in the site, as comments.
-std::string CalibrationOfSite(const Site& site) {
+std::string CalibrationOfSite(const Site& site, const TrainerSettings& settings) {
   std::string text;
   for (const RadioMap& map : site.maps) {
     text += Line(
@@ -111,7 +93,7 @@ std::string CalibrationOfSite(const Site& site) {
     }
     text += Line("# In the site, %s readings lag by %.2f s, and walks hear %.1f dB apart\n",
                  RadioName(radio), site.reading_lag_s[static_cast<std::size_t>(radio)],
-                 DeviceSpread(site, radio));
+                 EstimateDeviceOffsets(site.scans, radio, settings.sample_spacing_m).spread_db);
   }
   return text;
 }
@@ -147,7 +129,7 @@ int CalibrateDataset(const LearnOptions& options) {
                                 ThreadedExecutor(options.workers));
   if (options.stopped()) return kExitInterrupted;
   std::string text = "# Calibrated on " + std::to_string(training.size()) + " walks.\n" +
-                     CalibrationOfSite(fold.site);
+                     CalibrationOfSite(fold.site, fold.settings.radio_map);
   text += PrintChanges(Settings(), fold.settings);
   WriteFileWhole(options.out, text);
   std::fputs(text.c_str(), stdout);

@@ -11,7 +11,7 @@
 namespace walkgraph {
 namespace {
 
-// Walking itself sways a phone by less than this.
+// Swings below this are gait and noise (our choice).
 constexpr double kLeastSwingRad = 0.1;
 
 // Appends a span, joining it to the one before where they touch and are of one state.
