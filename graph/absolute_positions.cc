@@ -35,6 +35,7 @@ void AddAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int>& other
     factor.blocks.push_back(walk->position[before + 1]);
   }
   factor.blocks.insert(factor.blocks.end(), other_blocks.begin(), other_blocks.end());
+  factor.reading = true;
   factor.arrival_ns = arrival_ns;
   walk->graph.AddFactor(std::move(factor));
 }

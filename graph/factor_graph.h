@@ -29,6 +29,9 @@ struct GraphFactor {
   std::string type;                // as statistics name it
   TimeNs arrival_ns = 0;           // when its evidence was there to be used
   bool absolute_position = false;  // it tells where the walk is, other than by ignorance
+  // A sensor's reading of the state at one time, not a tie between times: what a filter updates
+  // with.
+  bool reading = false;
   // An inequality: it moves the mode and is left out of linear systems, for a border tells on which
   // side of it a pose is and not how far from it.
   bool one_sided = false;

@@ -57,6 +57,7 @@ void AddBarometer(const Evidence& evidence, const FactorSettings& settings, Walk
       factor.cost = std::make_unique<AtTime<>>(bracket.fraction, std::move(factor.cost));
       factor.blocks.insert(factor.blocks.begin() + 1, walk->height[before + 1]);
     }
+    factor.reading = true;
     factor.loss = MakeLoss(settings.barometric.loss, 1);
     factor.arrival_ns = time;
     walk->graph.AddFactor(std::move(factor));

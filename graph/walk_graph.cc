@@ -171,7 +171,9 @@ class WalkGraphBuilder {
       const AbsoluteHeadingFactor factor{
           Interpolate(headings, time) + site_.HeadingToBuilding(),
           std::sqrt((absolute.sigma_rad * absolute.sigma_rad + own * own) * repeats)};
-      Add(MakeGraphFactor(factor, {walk_.heading[i], offset.At(time)}), absolute.loss, time);
+      GraphFactor reading = MakeGraphFactor(factor, {walk_.heading[i], offset.At(time)});
+      reading.reading = true;
+      Add(std::move(reading), absolute.loss, time);
     }
   }
 

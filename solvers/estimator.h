@@ -66,6 +66,9 @@ struct EstimateResult {
   Trajectory trajectory;
   std::vector<SlowStateEstimate> slow_states;
   std::vector<FactorStatistics> factor_statistics;
+  // Of the readings of each factor type, where the method was asked for them: normalised innovation
+  // squared in the place of squared residuals.
+  std::vector<FactorStatistics> innovations;
   std::vector<FactorResidual> residuals;  // of the best hypothesis, in the graph's order
   std::vector<Hypothesis> hypotheses;     // best first
   std::vector<std::string> messages;

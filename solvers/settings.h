@@ -29,6 +29,7 @@ struct WindowSettings {
   double located_sigma_m = 20;
   double map_error_s = 60;     // errors of maps stay this long for who comes back to a place
   bool report_newest = false;  // report a node when it arrives (no lag), not when it leaves
+  bool innovations = false;    // hold every reading against what was expected of it
 };
 
 template <typename Visitor>
@@ -58,6 +59,9 @@ void Visit(Visitor& v, WindowSettings& s) {
           "no node leaves before the oldest position is known this well over all hypotheses, m");
   v.Field("report_newest", s.report_newest,
           "report a node when it arrives instead of when it leaves the window");
+  v.Field("innovations", s.innovations,
+          "hold every reading against what was expected before it came, at a solve per arrival "
+          "(`walkgraph honesty` does)");
 }
 
 }  // namespace walkgraph

@@ -3,14 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
 
-#include "data/angle.h"
 #include "graph/graph_part.h"
 #include "graph/map_error_states.h"
-#include "graph/posterior.h"
 #include "solvers/evidence_order.h"
 #include "solvers/graph_solver.h"
 #include "solvers/initial_trajectory.h"
@@ -59,7 +58,7 @@ void WindowRun::Play() {
 void WindowRun::Arrive(std::size_t node) {
   const TimeNs now_ns = walk_.node_ns[node];
   const std::vector<int> slow_blocks = TakeSlowBlocks(now_ns);
-  for (Hypothesis& hypothesis : hypotheses_) {
+  for (WindowHypothesis& hypothesis : hypotheses_) {
     walk_.graph.SetValues(hypothesis.values);
     PredictNode(node, slow_blocks);
     hypothesis.values = walk_.graph.values();
@@ -68,13 +67,14 @@ void WindowRun::Arrive(std::size_t node) {
   }
   ConditionMapErrors(now_ns, slow_blocks);
   const bool last = node + 1 == walk_.node_ns.size();
-  AddReadyFactors(now_ns, last);
+  const std::vector<int> joined = AddReadyFactors(now_ns, last);
+  if (settings_.innovations && marginalized_) JudgeReadings(joined);
   const std::size_t first_kept = FirstKeptNode(node);
   const bool full = first_kept > 0;
   if (!marginalized_ && (last || (has_evidence_ && StartIsDue(now_ns, full)))) {
     Restart(node, full || last);
   } else if (has_evidence_) {
-    for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
+    for (WindowHypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
   if (marginalized_) RecoverIfLost(node);
   if (full && has_evidence_ && !located_) located_ = IsLocated();
@@ -87,8 +87,8 @@ void WindowRun::Arrive(std::size_t node) {
 void WindowRun::Marginalize(std::size_t first_kept) {
   const std::vector<int> leaving = LeavingBlocks(first_kept);
   if (!settings_.report_newest) Report(leaving);
-  std::vector<Hypothesis> kept;
-  for (Hypothesis& hypothesis : hypotheses_) {
+  std::vector<WindowHypothesis> kept;
+  for (WindowHypothesis& hypothesis : hypotheses_) {
     walk_.graph.SetValues(hypothesis.values);
     if (hypothesis.window.Marginalize(leaving)) {
       kept.push_back(std::move(hypothesis));
@@ -103,7 +103,7 @@ void WindowRun::Marginalize(std::size_t first_kept) {
   oldest_ = first_kept;
 }
 
-void WindowRun::Solve(Hypothesis* hypothesis) {
+void WindowRun::Solve(WindowHypothesis* hypothesis) {
   walk_.graph.SetValues(hypothesis->values);
   if (!SolveGraph(hypothesis->window.part(), solver_, &walk_.graph).ok) {
     ++failed_solves_;
@@ -161,8 +161,9 @@ void WindowRun::ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks
       now_ns, is_new, [this](int block) { return window().IsActive(block); }, &walk_);
 }
 
-void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
-  std::vector<int> still_waiting;
+// Returns those that now take part.
+std::vector<int> WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
+  std::vector<int> joined, still_waiting;
   for (const int factor : waiting_) {
     const std::vector<int>& blocks = walk_.graph.factor(factor).blocks;
     const bool arrived = last || walk_.graph.factor(factor).arrival_ns <= now_ns;
@@ -175,14 +176,33 @@ void WindowRun::AddReadyFactors(TimeNs now_ns, bool last) {
       continue;
     }
     bool used = true;  // the same in all: they have the same blocks
-    for (Hypothesis& hypothesis : hypotheses_) used = hypothesis.window.AddFactor(factor);
+    for (WindowHypothesis& hypothesis : hypotheses_) used = hypothesis.window.AddFactor(factor);
     if (!used) {
       ++dropped_late_;
-    } else if (walk_.graph.factor(factor).absolute_position) {
-      has_evidence_ = true;
+      continue;
     }
+    joined.push_back(factor);
+    if (walk_.graph.factor(factor).absolute_position) has_evidence_ = true;
   }
   waiting_ = std::move(still_waiting);
+  return joined;
+}
+
+// The innovations of the readings among the factors that just joined, by the best hypothesis:
+// against the minimum of everything else that the window holds.
+void WindowRun::JudgeReadings(const std::vector<int>& joined) {
+  std::vector<int> readings;
+  std::copy_if(joined.begin(), joined.end(), std::back_inserter(readings),
+               [this](int factor) { return walk_.graph.factor(factor).reading; });
+  if (readings.empty()) return;
+  GraphPart expected = window().part();
+  std::erase_if(expected.factors, [&readings](int factor) {
+    return std::find(readings.begin(), readings.end(), factor) != readings.end();
+  });
+  walk_.graph.SetValues(hypotheses_.front().values);
+  if (!SolveGraph(expected, solver_, &walk_.graph).ok) return;
+  const std::vector<Innovation> found = ComputeInnovations(walk_.graph, expected, readings);
+  innovations_.insert(innovations_.end(), found.begin(), found.end());
 }
 
 // Proposals are made with the first evidence of a place, just before the first node would leave
@@ -222,7 +242,7 @@ void WindowRun::Restart(std::size_t node, bool full) {
   }
   if (walk_.map_errors.empty()) return;
   ConditionMapErrors(now_ns, start_window.part().blocks);
-  for (Hypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
+  for (WindowHypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
 }
 
 // Whether the oldest node, the first to leave, is known: to the configured sigma, and with less
@@ -230,7 +250,7 @@ void WindowRun::Restart(std::size_t node, bool full) {
 bool WindowRun::IsLocated() {
   Weigh();
   const int position = walk_.position[oldest_];
-  const double variance = MixtureCovariance(position).trace();
+  const double variance = MixtureCovariance(walk_.graph, hypotheses_, position).trace();
   const double within =
       hypotheses_.front().uncertainty.covariance[static_cast<std::size_t>(position)].trace();
   return variance < settings_.located_sigma_m * settings_.located_sigma_m && variance < 2 * within;
@@ -254,7 +274,7 @@ void WindowRun::RecoverIfLost(std::size_t node) {
                     solver_, Track(since_ns, node), margin_nats, walk_.floors);
   if (!recovery) return;
   ++recoveries_;
-  Hypothesis fresh = std::move(hypotheses_.front());
+  WindowHypothesis fresh = std::move(hypotheses_.front());
   const std::vector<int>& blocks = fresh.window.part().blocks;
   MoveTo(*recovery, walk_.graph, blocks, &fresh.values);
   fresh.window.ReplacePriors(PriorFrom(*recovery, walk_.graph, blocks, fresh.values));
@@ -280,41 +300,8 @@ Trajectory WindowRun::Track(TimeNs since_ns, std::size_t newest) const {
   return track;
 }
 
-// Ranks the hypotheses by the posterior mass about them and drops those that need not be followed.
 void WindowRun::Weigh() {
-  for (Hypothesis& hypothesis : hypotheses_) {
-    walk_.graph.SetValues(hypothesis.values);
-    const GraphPart& part = hypothesis.window.part();
-    hypothesis.uncertainty = ComputeUncertainty(walk_, part, solver_.map_error_test);
-    hypothesis.negative_log_mass = NegativeLogModeMass(NegativeLogDensity(walk_.graph, part),
-                                                       hypothesis.uncertainty.log_det_hessian,
-                                                       hypothesis.uncertainty.variables) +
-                                   0.5 * hypothesis.window.left_log_determinant();
-  }
-  std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
-                   [](const Hypothesis& a, const Hypothesis& b) {
-                     return a.negative_log_mass < b.negative_log_mass;
-                   });
-  const double limit = hypotheses_.front().negative_log_mass + settings_.hypothesis_nats;
-  hypotheses_.erase(
-      std::remove_if(hypotheses_.begin() + 1, hypotheses_.end(),
-                     [limit](const Hypothesis& h) { return !(h.negative_log_mass <= limit); }),
-      hypotheses_.end());
-  DropRepeated();
-}
-
-// Hypotheses that have come to the same path are one.
-void WindowRun::DropRepeated() {
-  std::vector<Hypothesis> distinct;
-  for (Hypothesis& hypothesis : hypotheses_) {
-    const bool repeated =
-        std::any_of(distinct.begin(), distinct.end(), [&](const Hypothesis& better) {
-          return SamePath(walk_.graph, better.window.part(), hypothesis.values, better.values,
-                          better.uncertainty, solver_.distinct_m);
-        });
-    if (!repeated) distinct.push_back(std::move(hypothesis));
-  }
-  hypotheses_ = std::move(distinct);
+  WeighHypotheses(solver_, settings_.hypothesis_nats, &walk_, &hypotheses_);
 }
 
 // The first node that stays once `newest` has come.
@@ -354,24 +341,6 @@ std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
   return leaving;
 }
 
-// Covariance of a block about the best hypothesis's value, over the mixture of all.
-Eigen::MatrixXd WindowRun::MixtureCovariance(int block) const {
-  const StateBlock& state = walk_.graph.block(block);
-  std::vector<double> masses;
-  for (const Hypothesis& hypothesis : hypotheses_) masses.push_back(hypothesis.negative_log_mass);
-  const std::vector<double> weights = MixtureWeights(masses);
-  const Eigen::VectorXd best = hypotheses_.front().values.segment(state.offset, state.size());
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(state.size(), state.size());
-  for (std::size_t h = 0; h < hypotheses_.size(); ++h) {
-    Eigen::VectorXd apart = hypotheses_[h].values.segment(state.offset, state.size()) - best;
-    if (state.id.kind == BlockKind::kHeading) apart[0] = WrapAngle(apart[0]);
-    covariance +=
-        weights[h] * (hypotheses_[h].uncertainty.covariance[static_cast<std::size_t>(block)] +
-                      apart * apart.transpose());
-  }
-  return covariance;
-}
-
 // The best hypothesis's values, with the covariance of the mixture of all about them.
 void WindowRun::Report(const std::vector<int>& blocks) {
   for (const int block : blocks) {
@@ -379,7 +348,8 @@ void WindowRun::Report(const std::vector<int>& blocks) {
     reported_.values.segment(state.offset, state.size()) =
         hypotheses_.front().values.segment(state.offset, state.size());
     if (state.constant) continue;
-    reported_.uncertainty.covariance[static_cast<std::size_t>(block)] = MixtureCovariance(block);
+    reported_.uncertainty.covariance[static_cast<std::size_t>(block)] =
+        MixtureCovariance(walk_.graph, hypotheses_, block);
   }
 }
 

@@ -12,10 +12,11 @@
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
-#include "graph/sliding_window.h"
+#include "graph/innovations.h"
 #include "graph/walk_graph.h"
 #include "solvers/modes.h"
 #include "solvers/settings.h"
+#include "solvers/window_hypotheses.h"
 
 namespace walkgraph {
 
@@ -36,32 +37,23 @@ class WindowRun {
   int dropped_late() const { return dropped_late_; }
   // How often the track was lost and taken up elsewhere.
   int recoveries() const { return recoveries_; }
+  // Of the readings since the first node left, where the settings ask for them.
+  const std::vector<Innovation>& innovations() const { return innovations_; }
 
  private:
-  // One explanation of what the window has seen: the same nodes and factors in every one, but
-  // solved in another mode, and with what left marginalised there.
-  struct Hypothesis {
-    SlidingWindow window;
-    Eigen::VectorXd values;  // of the graph
-    // As last weighed:
-    PointUncertainty uncertainty;  // of the window's part
-    double negative_log_mass = 0;  // of all that was ever in the window
-  };
-
   void Arrive(std::size_t node);
   void PredictNode(std::size_t node, const std::vector<int>& new_slow_blocks);
   std::vector<int> TakeSlowBlocks(TimeNs now_ns);
   void ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks);
-  void AddReadyFactors(TimeNs now_ns, bool last);
-  void Solve(Hypothesis* hypothesis);
+  std::vector<int> AddReadyFactors(TimeNs now_ns, bool last);
+  void JudgeReadings(const std::vector<int>& joined);
+  void Solve(WindowHypothesis* hypothesis);
   bool StartIsDue(TimeNs now_ns, bool full) const;
   void Restart(std::size_t node, bool full);
   void Weigh();
   bool IsLocated();
-  Eigen::MatrixXd MixtureCovariance(int block) const;
   void RecoverIfLost(std::size_t node);
   Trajectory Track(TimeNs since_ns, std::size_t newest) const;
-  void DropRepeated();
   void Marginalize(std::size_t first_kept);
   std::vector<int> LeavingBlocks(std::size_t first_kept) const;
   std::size_t FirstKeptNode(std::size_t newest) const;
@@ -75,20 +67,21 @@ class WindowRun {
   const WindowSettings& settings_;
   WalkGraph walk_;
   DeadReckonedPath dead_reckoning_;
-  std::vector<Hypothesis> hypotheses_;  // never empty; by mass once weighed
-  std::vector<int> waiting_;            // factors, by time of arrival
-  std::vector<int> slow_blocks_;        // not yet active, by time
-  std::size_t oldest_ = 0;              // node still in the window
-  bool has_evidence_ = false;           // some evidence of a place took part
-  std::optional<TimeNs> started_ns_;    // when proposals were last made
-  bool started_full_ = false;           // with as much evidence as the window is to hold
-  bool located_ = false;                // the last proposals agreed on a place: nodes may leave
+  std::vector<WindowHypothesis> hypotheses_;  // never empty; by mass once weighed
+  std::vector<int> waiting_;                  // factors, by time of arrival
+  std::vector<int> slow_blocks_;              // not yet active, by time
+  std::size_t oldest_ = 0;                    // node still in the window
+  bool has_evidence_ = false;                 // some evidence of a place took part
+  std::optional<TimeNs> started_ns_;          // when proposals were last made
+  bool started_full_ = false;                 // with as much evidence as the window is to hold
+  bool located_ = false;  // the last proposals agreed on a place: nodes may leave
   bool marginalized_ = false;
   Mode reported_;
   std::optional<TimeNs> checked_ns_;  // when the track was last checked
   int recoveries_ = 0;
   int failed_solves_ = 0;
   int dropped_late_ = 0;
+  std::vector<Innovation> innovations_;
 };
 
 }  // namespace walkgraph

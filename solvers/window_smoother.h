@@ -29,6 +29,7 @@ namespace walkgraph {
 //     `report_newest` asks for the one at arrival.
 //   - Late evidence is used while its nodes are in the window, dropped and counted afterwards. A
 //     failed solve leaves the values as they were, is counted, and the next arrival tries again.
+//   - With `innovations` every reading is held against what was expected before it came.
 // A person who stands still is no exception: nodes go on arriving every second.
 class WindowSmoother : public Estimator {
  public:

@@ -98,7 +98,10 @@ Figure ResidualsFigure(const HonestyResult& result, const Shown& shown) {
     }
   };
   add("at truth", result.at_truth);
-  for (const HonestyRow& row : shown.rows) add(row.method, row.statistics);
+  for (const HonestyRow& row : shown.rows) {
+    add(row.method, row.statistics);
+    add(row.method + " innovation", row.innovations);
+  }
   return BarsFigure("residuals",
                     "Mean squared whitened residuals; 1 at the truth" + OverWalks(shown),
                     "mean square", bars);

@@ -50,12 +50,18 @@ std::string FormatResiduals(const HonestyResult& result, const std::vector<Hones
   StatisticsByType types = result.at_truth;
   for (const HonestyRow& row : rows) types.insert(row.statistics.begin(), row.statistics.end());
   std::vector<std::string> header = {"mean square", "count", "at truth"};
-  for (const HonestyRow& row : rows) header.push_back(row.method);
+  for (const HonestyRow& row : rows) {
+    header.push_back(row.method);
+    if (!row.innovations.empty()) header.push_back(row.method + " innovation");
+  }
   Table table(header);
   for (const auto& [type, statistics] : types) {
     std::vector<std::string> line = {type, std::to_string(statistics.count),
                                      MeanSquare(result.at_truth, type)};
-    for (const HonestyRow& row : rows) line.push_back(MeanSquare(row.statistics, type));
+    for (const HonestyRow& row : rows) {
+      line.push_back(MeanSquare(row.statistics, type));
+      if (!row.innovations.empty()) line.push_back(MeanSquare(row.innovations, type));
+    }
     table.AddRow(line);
   }
   return table.Format();
@@ -91,7 +97,8 @@ Json RowJson(const HonestyRow& row) {
           {"coverage50", NumberJson(row.coverage50)},
           {"coverage95", NumberJson(row.coverage95)},
           {"beyond_999", Number(row.beyond_999)},
-          {"residuals", StatisticsJson(row.statistics)}};
+          {"residuals", StatisticsJson(row.statistics)},
+          {"innovations", StatisticsJson(row.innovations)}};
 }
 
 }  // namespace

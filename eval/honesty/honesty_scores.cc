@@ -84,6 +84,9 @@ HonestyRow SummariseHonesty(const std::string& method, const std::vector<WalkHon
     for (const FactorStatistics& s : walk.statistics) {
       row.statistics[s.factor].Add(s.count, s.dimension, s.mean_squared_whitened);
     }
+    for (const FactorStatistics& s : walk.innovations) {
+      row.innovations[s.factor].Add(s.count, s.dimension, s.mean_squared_whitened);
+    }
   }
   row.error_m = PooledOverWalks(walks, [](const WaypointError& e) { return e.error_m; });
   row.nees_per_dimension =

@@ -42,7 +42,8 @@ struct WalkHonesty {
   bool has_trajectory = false;
   std::vector<WaypointError> errors;  // at the scored nodes
   std::vector<FactorStatistics> statistics;
-  double seconds = 0;  // wall time
+  std::vector<FactorStatistics> innovations;  // empty where the method does not tell
+  double seconds = 0;                         // wall time
 };
 
 // What a method's covariances are worth, over walks.
@@ -59,6 +60,7 @@ struct HonestyRow {
   double beyond_999 = 0;  // share outside the 99.9 % ellipse
   double seconds_per_walk = 0;
   StatisticsByType statistics;
+  StatisticsByType innovations;  // 1 where expectations and noise are right
 };
 
 HonestyRow SummariseHonesty(const std::string& method, const std::vector<WalkHonesty>& walks);

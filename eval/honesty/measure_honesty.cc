@@ -39,6 +39,7 @@ WalkHonesty Measure(const Estimator& estimator, const Site& site, const Evidence
   walk.errors =
       ErrorsAtWaypoints(estimate.trajectory, ThinTruth(truth, kScoredEveryS), truth_sigma_m);
   walk.statistics = estimate.factor_statistics;
+  walk.innovations = estimate.innovations;
   return walk;
 }
 
@@ -58,9 +59,16 @@ HonestyResult EmptyResult(const HonestyOptions& options, std::vector<std::string
   return result;
 }
 
+// The user's, and innovations where they say nothing else.
+std::vector<ConfigOverride> Overrides(const HonestyOptions& options) {
+  std::vector<ConfigOverride> overrides = {ParseSetFlag("window.innovations=true")};
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  return overrides;
+}
+
 HonestyResult MeasureDrawn(const HonestyOptions& options) {
   Settings settings = MatchedSettings();
-  ApplyOverrides(options.overrides, &settings);
+  ApplyOverrides(Overrides(options), &settings);
   const Random random(options.seed);
   const Site site = MakeMatchedSite(settings.factors.map_error.sigma_m, random.Fork(0));
   std::vector<std::unique_ptr<Estimator>> estimators;
@@ -111,8 +119,9 @@ std::vector<const LoadedWalk*> Pointers(const std::vector<LoadedWalk>& walks) {
 
 HonestyResult MeasureRecorded(const HonestyOptions& options, const Dataset& train,
                               const Dataset& test) {
+  const std::vector<ConfigOverride> overrides = Overrides(options);
   Settings settings;
-  ApplyOverrides(options.overrides, &settings);
+  ApplyOverrides(overrides, &settings);
   const std::vector<LoadedWalk> training = Load(options, train, train.building, settings.frontend);
   const std::vector<LoadedWalk> tested = Load(options, test, train.building, settings.frontend);
   const std::vector<const LoadedWalk*> walks = Pointers(tested);
@@ -121,7 +130,7 @@ HonestyResult MeasureRecorded(const HonestyOptions& options, const Dataset& trai
   for (const LoadedWalk* walk : walks) names.push_back(walk->file.id);
   HonestyResult result = EmptyResult(options, names);
   if (options.stopped()) return result;
-  const Fold fold = PrepareFold(train.building, Pointers(training), walks, options.overrides,
+  const Fold fold = PrepareFold(train.building, Pointers(training), walks, overrides,
                                 ThreadedExecutor(options.workers));
   const auto estimators = MakeEstimators(options.methods, fold.settings);
   Progress progress(static_cast<int>(walks.size()), "walks", options.out + "/run/progress");

@@ -20,6 +20,7 @@
 #include "graph/statistics.h"
 #include "graph/walk_graph.h"
 #include "solvers/batch_smoother.h"
+#include "solvers/window_smoother.h"
 
 namespace walkgraph {
 namespace {
@@ -202,6 +203,50 @@ TEST_F(Matched, TheBatchIsHonestAndAWrongModelShows) {
   // Without the state for the error that scans at a place share, covariances are far too small.
   settings_.factors.map_error.mode = StateMode::kAbsent;
   EXPECT_GT(BatchNees(site_, settings_, walks), 2 * honest);
+}
+
+// Every reading of the model's own walks comes as it was expected, within what a mean of so many
+// that share states can be off; a compass that is taken for twice as good as it is surprises.
+TEST_F(Matched, TheWindowsInnovationsHaveVarianceOne) {
+  WindowSettings window;
+  window.innovations = true;
+  const auto pooled = [&](const FactorSettings& factors, std::uint64_t walks) {
+    StatisticsByType sums;
+    const WindowSmoother smoother(factors, settings_.solver, window);
+    for (std::uint64_t i = 0; i < walks; ++i) {
+      for (const FactorStatistics& s : smoother.Estimate(site_, Walk(i).evidence).innovations) {
+        sums[s.factor].Add(s.count, s.dimension, s.mean_squared_whitened);
+      }
+    }
+    return sums;
+  };
+  const StatisticsByType honest = pooled(settings_.factors, 6);
+  for (const char* type : {"absolute_heading", "fingerprint"}) {
+    ASSERT_TRUE(honest.contains(type)) << type;
+    EXPECT_GT(honest.at(type).count, 500) << type;
+    EXPECT_NEAR(honest.at(type).MeanSquare(), 1, 0.15) << type;
+  }
+  EXPECT_FALSE(honest.contains("step"));  // a tie between times, no reading
+  FactorSettings bold = settings_.factors;
+  bold.absolute_heading.sigma_rad /= 2;
+  EXPECT_GT(pooled(bold, 2).at("absolute_heading").MeanSquare(), 2);
+}
+
+TEST_F(Matched, JudgingReadingsLeavesTheEstimateAsItWas) {
+  const MatchedWalk walk = Walk(1);
+  WindowSettings judging;
+  judging.innovations = true;
+  const auto estimate = [&](const WindowSettings& window) {
+    return WindowSmoother(settings_.factors, settings_.solver, window)
+        .Estimate(site_, walk.evidence);
+  };
+  const EstimateResult with = estimate(judging), without = estimate({});
+  EXPECT_FALSE(with.innovations.empty());
+  EXPECT_TRUE(without.innovations.empty());
+  ASSERT_EQ(with.trajectory.poses.size(), without.trajectory.poses.size());
+  for (std::size_t i = 0; i < with.trajectory.poses.size(); ++i) {
+    EXPECT_EQ(with.trajectory.poses[i].position_m, without.trajectory.poses[i].position_m) << i;
+  }
 }
 
 // Half a minute later and back within two metres: the error is the same, as far as a field is that

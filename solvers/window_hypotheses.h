@@ -1,0 +1,36 @@
+#ifndef WALKGRAPH_SOLVERS_WINDOW_HYPOTHESES_H_
+#define WALKGRAPH_SOLVERS_WINDOW_HYPOTHESES_H_
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "graph/sliding_window.h"
+#include "graph/walk_graph.h"
+#include "solvers/modes.h"
+#include "solvers/settings.h"
+
+namespace walkgraph {
+
+// One explanation of what a window has seen: the same nodes and factors in every one, but solved in
+// another mode, and with what left marginalised there.
+struct WindowHypothesis {
+  SlidingWindow window;
+  Eigen::VectorXd values;  // of the graph
+  // As last weighed:
+  PointUncertainty uncertainty;  // of the window's part
+  double negative_log_mass = 0;  // of all that was ever in the window
+};
+
+// Ranks hypotheses of a walk by the posterior mass about them, best first, and drops those that are
+// more than `limit_nats` worse than the best or have come to a better one's path. Leaves the graph
+// at the values of one of them.
+void WeighHypotheses(const SolverSettings& solver, double limit_nats, WalkGraph* walk,
+                     std::vector<WindowHypothesis>* hypotheses);
+
+// Covariance of a block about the best hypothesis's value, over the mixture of all, weighed.
+Eigen::MatrixXd MixtureCovariance(const FactorGraph& graph,
+                                  const std::vector<WindowHypothesis>& hypotheses, int block);
+
+}  // namespace walkgraph
+
+#endif  // WALKGRAPH_SOLVERS_WINDOW_HYPOTHESES_H_
