@@ -147,11 +147,13 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
   constexpr double kSmallestRate = 0.01;          // a phone's gyroscope alone, rad/sqrt(s)
   constexpr double kSmallestHeadingSigma = 0.03;  // two degrees: a walking person's sway
   const LegStatistics offset = Summarise(absolute, &Leg::heading_rad, true);
-  const LegStatistics turn = Summarise(by_gyroscope, &Leg::heading_rad, true);
-  const bool has_turn = turn.pairs >= kMinSamples;
+  const DriftFreeDifferences turn = DifferencesWithoutDrift(by_gyroscope, &Leg::heading_rad);
+  const std::vector<double> turn_parts =
+      VarianceComponents(turn.difference, {turn.noise, turn.wander});
+  const bool has_turn = turn.difference.size() >= kMinSamples;
   if (has_turn) {
     report->Set("heading_increment.sigma_rad_per_sqrt_s",
-                std::max(kSmallestRate, std::sqrt(turn.variance_over_lag.slope)), turn.pairs,
+                std::max(kSmallestRate, std::sqrt(turn_parts[1])), turn.difference.size(),
                 "pairs of legs", &settings->heading_increment.sigma_rad_per_sqrt_s);
   }
   // A walk has no mean direction on a gyroscope that drifts.
@@ -164,8 +166,7 @@ void CalibrateDirections(const std::vector<WalkLegs>& absolute,
                 &settings->step.sigma_across_m);
   }
   if (has_turn && offset.pairs >= kMinSamples) {
-    const double beyond =
-        0.5 * (offset.variance_over_lag.intercept - turn.variance_over_lag.intercept);
+    const double beyond = 0.5 * offset.variance_over_lag.intercept - turn_parts[0];
     error.compass_correlation_s = settings->absolute_heading.correlation_s;
     error.compass_rad2 =
         std::max(0.0, beyond) / MeanShareLeft(absolute, error.compass_correlation_s);

@@ -34,6 +34,8 @@ struct CalibratedValue {
 //  - prior mean and sigma: mean and spread over walks of the walk's weighted mean;
 //  - random walk: the squared difference of two legs of one walk is 2 noise + rate x time apart, a
 //    straight line fitted over all pairs;
+//  - heading increments: the same on the gyroscope alone, once each walk has lost a steady drift,
+//    which is its bias and has a state of its own;
 //  - error of a step: how the squared error of a leg grows with its steps (what it does not grow
 //    with is the waypoints' own); sideways from legs reckoned on the gyroscope, which has no
 //    compass in it, against the legs before and after, and beside what their direction wanders;

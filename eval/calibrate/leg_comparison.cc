@@ -1,5 +1,6 @@
 #include "eval/calibrate/leg_comparison.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -39,6 +40,45 @@ bool Adjoin(const Leg& before, const Leg& leg) {
   constexpr double kRoundingS = 1e-3;
   const double apart_s = SecondsBetween(before.middle_ns, leg.middle_ns);
   return apart_s - (before.duration_s + leg.duration_s) / 2 < kRoundingS;
+}
+
+std::vector<double> SecondsOfLegs(const WalkLegs& legs) {
+  std::vector<double> seconds;
+  for (const Leg& leg : legs) {
+    seconds.push_back(SecondsBetween(legs.front().middle_ns, leg.middle_ns));
+  }
+  return seconds;
+}
+
+// An angle of each leg, continued from leg to leg by the shorter way.
+Eigen::VectorXd Unwrapped(const WalkLegs& legs, double Leg::*value) {
+  Eigen::VectorXd angles(static_cast<Eigen::Index>(legs.size()));
+  angles[0] = legs.front().*value;
+  for (std::size_t i = 1; i < legs.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    angles[at] = angles[at - 1] + WrapAngle(legs[i].*value - legs[i - 1].*value);
+  }
+  return angles;
+}
+
+// The projection that takes the straight line by least squares from values at these times. Least
+// squares in an orthonormal basis, for which no times are too close.
+Eigen::MatrixXd WithoutLine(const std::vector<double>& seconds) {
+  const auto n = static_cast<Eigen::Index>(seconds.size());
+  Eigen::MatrixXd line(n, 2);
+  line.col(0).setOnes();
+  line.col(1) = Eigen::Map<const Eigen::VectorXd>(seconds.data(), n);
+  const Eigen::MatrixXd basis =
+      line.householderQr().householderQ() * Eigen::MatrixXd::Identity(n, 2);
+  return Eigen::MatrixXd::Identity(n, n) - basis * basis.transpose();
+}
+
+// Of a random walk of rate one that begins at the first time.
+Eigen::MatrixXd RandomWalkCovariance(const std::vector<double>& seconds) {
+  const auto n = static_cast<Eigen::Index>(seconds.size());
+  return Eigen::MatrixXd::NullaryExpr(n, n, [&seconds](Eigen::Index i, Eigen::Index j) {
+    return seconds[static_cast<std::size_t>(std::min(i, j))];
+  });
 }
 
 }  // namespace
@@ -108,6 +148,31 @@ PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, doubl
     }
   }
   return pairs;
+}
+
+DriftFreeDifferences DifferencesWithoutDrift(const std::vector<WalkLegs>& walks,
+                                             double Leg::*value) {
+  DriftFreeDifferences all;
+  for (const WalkLegs& legs : walks) {
+    if (legs.size() < 3) continue;
+    const std::vector<double> seconds = SecondsOfLegs(legs);
+    const Eigen::MatrixXd residual = WithoutLine(seconds);
+    const Eigen::VectorXd left = residual * Unwrapped(legs, value);
+    const Eigen::MatrixXd wandered = residual * RandomWalkCovariance(seconds) * residual;
+    const auto between = [](const Eigen::MatrixXd& m, Eigen::Index i, Eigen::Index j) {
+      return m(i, i) + m(j, j) - 2 * m(i, j);
+    };
+    for (Eigen::Index i = 0; i < left.size(); ++i) {
+      for (Eigen::Index j = i + 1; j < left.size(); ++j) {
+        if (seconds[static_cast<std::size_t>(j)] - seconds[static_cast<std::size_t>(i)] > kMaxLagS)
+          break;
+        all.difference.push_back(left[j] - left[i]);
+        all.noise.push_back(between(residual, i, j));
+        all.wander.push_back(between(wandered, i, j));
+      }
+    }
+  }
+  return all;
 }
 
 LegDeviations DeviationsFromWalk(const std::vector<WalkLegs>& walks, double Leg::*value,

@@ -55,6 +55,18 @@ struct PairDifferences {
 PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, double Leg::*value,
                                        bool circular);
 
+// The same of angles after each walk has lost the straight line through its legs' values over time:
+// no bias of a gyroscope is left in it. Only walks of three legs and more. The variance of a
+// difference is `noise` times that of one leg's value (equal and independent) plus `wander` times
+// the rate of a random walk of the value, as the lost line leaves them.
+struct DriftFreeDifferences {
+  std::vector<double> difference;
+  std::vector<double> noise;
+  std::vector<double> wander;  // s
+};
+DriftFreeDifferences DifferencesWithoutDrift(const std::vector<WalkLegs>& walks,
+                                             double Leg::*value);
+
 // What a leg's value deviates from its walk's mean, in metres at the leg's end, with the number of
 // steps that it took. Only walks of three legs and more; corrected for the mean that the legs
 // themselves made.

@@ -6,9 +6,33 @@
 #include <numbers>
 
 namespace walkgraph {
+namespace {
 
-HeadingBins MakeBins(HeadingSource source, const HeadingOffsetSettings& offset,
+// How far the offset of the dead-reckoned heading wanders within an epoch. A gyroscope's bias turns
+// it steadily; for bins that know no bias that is one more cause of wandering.
+double WanderVariance(HeadingSource source, const FactorSettings& factors, double epoch_s) {
+  if (source == HeadingSource::kAbsolute) {
+    return std::pow(factors.heading_offset.walk_rad_per_sqrt_s, 2) * epoch_s;
+  }
+  const double bias = factors.gyro_bias.mode == StateMode::kActive
+                          ? factors.gyro_bias.prior_sigma_radps * epoch_s
+                          : 0.0;
+  return std::pow(factors.heading_increment.sigma_rad_per_sqrt_s, 2) * epoch_s + bias * bias;
+}
+
+// Cost of a bin's change, over that of none, that gives steps of one bin this variance. A density
+// at the bin's middle would forbid what wanders little in an epoch and far in a minute.
+float ChangeNats(double variance, double width) {
+  constexpr double kMost = 1.0 / 3;
+  const double change = std::clamp(0.5 * variance / (width * width), 1e-9, kMost);
+  return static_cast<float>(std::log((1 - 2 * change) / change));
+}
+
+}  // namespace
+
+HeadingBins MakeBins(HeadingSource source, const FactorSettings& factors,
                      const DiscreteSettings& settings, double epoch_s) {
+  const HeadingOffsetSettings& offset = factors.heading_offset;
   HeadingBins bins;
   const double width = settings.heading_bin_rad;
   if (source == HeadingSource::kGyroscope) {
@@ -28,8 +52,7 @@ HeadingBins MakeBins(HeadingSource source, const HeadingOffsetSettings& offset,
       bins.prior_nats.push_back(free ? static_cast<float>(0.5 * z * z) : 0.0F);
     }
   }
-  const double walk = offset.walk_rad_per_sqrt_s * std::sqrt(epoch_s);
-  bins.change_nats = static_cast<float>(0.5 * width * width / std::max(walk * walk, 1e-6));
+  bins.change_nats = ChangeNats(WanderVariance(source, factors, epoch_s), width);
   return bins;
 }
 

@@ -32,7 +32,7 @@ struct HeadingBins {
 // Bins over the offset's prior where an absolute heading is there and its offset free, over the
 // circle where only the gyroscope tells turns, else the one bin of no offset. `epoch_s` is an
 // epoch's length.
-HeadingBins MakeBins(HeadingSource source, const HeadingOffsetSettings& offset,
+HeadingBins MakeBins(HeadingSource source, const FactorSettings& factors,
                      const DiscreteSettings& settings, double epoch_s);
 
 // What happens between two epochs as far as steps and heading say.

@@ -226,7 +226,7 @@ std::vector<DiscretePath> SmoothOnLattice(const Site& site, const Evidence& evid
 
   const std::vector<TimeNs>& times = emissions.times();
   const HeadingBins bins =
-      MakeBins(walk.source, factors.heading_offset, settings, SecondsBetween(times[0], times[1]));
+      MakeBins(walk.source, factors, settings, SecondsBetween(times[0], times[1]));
   Trellis trellis(lattice, bins, settings.beam_nats);
   trellis.Begin(emissions.at(0));
   for (std::size_t k = 1; k < times.size(); ++k) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "data/angle.h"
+#include "eval/calibrate/leg_comparison.h"
 #include "eval/config_keys.h"
 
 namespace walkgraph {
@@ -176,6 +177,43 @@ TEST(CalibrateMotionTest, RecoversTheWanderingOfDirection) {
   const double found = Calibrate(gait).heading_increment.sigma_rad_per_sqrt_s;
   EXPECT_GT(found, 0.04 * 0.7);
   EXPECT_LT(found, 0.04 * 1.15);
+}
+
+// A bias has a state of its own: it is no noise of the increments, whether it turns a walk by a
+// tenth of a radian or by several.
+TEST(CalibrateMotionTest, TheGyroscopesBiasIsNoNoiseOfTurns) {
+  Gait gait;
+  gait.turn_rad_per_sqrt_s = 0.04;
+  for (const double bias : {0.003, 0.02, 0.05}) {
+    gait.bias_sigma_radps = bias;
+    const double found = Calibrate(gait).heading_increment.sigma_rad_per_sqrt_s;
+    EXPECT_GT(found, 0.04 * 0.75) << bias;
+    EXPECT_LT(found, 0.04 * 1.15) << bias;
+  }
+}
+
+// Three legs of differing lengths leave one direction without a line: its closed form.
+TEST(DifferencesWithoutDrift, LosesALineAndKeepsTheRest) {
+  WalkLegs legs(3);
+  const double seconds[] = {0, 4, 10};
+  for (std::size_t i = 0; i < 3; ++i) {
+    legs[i].middle_ns = kStart + DurationNs(seconds[i]);
+    legs[i].heading_rad = WrapAngle(0.7 + 0.4 * seconds[i]);  // turns round twice a minute
+  }
+  for (const double d : DifferencesWithoutDrift({legs}, &Leg::heading_rad).difference) {
+    EXPECT_NEAR(d, 0, 1e-9);
+  }
+  legs[1].heading_rad = WrapAngle(legs[1].heading_rad + 0.3);
+  // What is left lies along n = (6, -10, 4), the normal of lines at these times, |n|^2 = 152.
+  const auto found = DifferencesWithoutDrift({legs}, &Leg::heading_rad);
+  ASSERT_EQ(found.difference.size(), 3U);
+  const double left = 0.3 * -10 / 152;
+  EXPECT_NEAR(found.difference[0], left * -16, 1e-9);
+  EXPECT_NEAR(found.difference[1], left * -2, 1e-9);
+  EXPECT_NEAR(found.difference[2], left * 14, 1e-9);
+  EXPECT_NEAR(found.noise[0], 16.0 * 16 / 152, 1e-9);
+  // A random walk at 4 and 10 s: n' K n = 100 * 4 + 16 * 10 - 2 * 40 * 4 = 240.
+  EXPECT_NEAR(found.wander[2], 14.0 * 14 * 240 / (152.0 * 152), 1e-9);
 }
 
 TEST(CalibrateMotionTest, RecoversTheAbsoluteHeadingsOwnError) {

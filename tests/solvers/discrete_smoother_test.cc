@@ -121,6 +121,32 @@ TEST_F(BruteForceTest, PathsAreDistinctAndBestFirst) {
   }
 }
 
+// Steps of one bin in either direction, each at what a change costs over none: their variance.
+double VarianceOfSteps(const HeadingBins& bins, double width) {
+  const double odds = std::exp(-bins.change_nats);
+  return 2 * odds / (1 + 2 * odds) * width * width;
+}
+
+TEST(MakeBinsTest, OffsetsWanderAsTheirNoiseSays) {
+  constexpr double kEpochS = 4;
+  FactorSettings factors;
+  factors.heading_offset.walk_rad_per_sqrt_s = 0.006;
+  factors.heading_increment.sigma_rad_per_sqrt_s = 0.02;
+  factors.gyro_bias.prior_sigma_radps = 0.005;
+  const DiscreteSettings settings;
+  const double width = settings.heading_bin_rad;
+  const auto found = [&](HeadingSource source) {
+    return VarianceOfSteps(MakeBins(source, factors, settings, kEpochS), width);
+  };
+  constexpr double kRelative = 1e-5;  // nats are floats
+  const double compass = 0.006 * 0.006 * kEpochS;
+  EXPECT_NEAR(found(HeadingSource::kAbsolute), compass, kRelative * compass);
+  const double noise = 0.02 * 0.02 * kEpochS, bias = std::pow(0.005 * kEpochS, 2);
+  EXPECT_NEAR(found(HeadingSource::kGyroscope), noise + bias, kRelative * (noise + bias));
+  factors.gyro_bias.mode = StateMode::kAbsent;
+  EXPECT_NEAR(found(HeadingSource::kGyroscope), noise, kRelative * noise);
+}
+
 TEST(MakeTransitionTest, NobodyStandsWhomNoAccelerometerSaw) {
   Evidence evidence;
   const DeadReckonedPath walk = DeadReckon(Site(), evidence, {});

@@ -105,7 +105,7 @@ TEST(ViterbiTest, OffsetMayDriftAcrossTheSeam) {
     evidence.gyro_yaw_rad.value[i] += 0.6 - 0.012 * t;
   }
   FactorSettings factors;
-  factors.heading_offset.walk_rad_per_sqrt_s = 0.05;
+  factors.gyro_bias.prior_sigma_radps = 0.012;
   const DiscreteSettings settings;
   const DeadReckonedPath walk = DeadReckon(world.site, evidence, factors);
   const std::vector<DiscretePath> paths =
