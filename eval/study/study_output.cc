@@ -85,11 +85,6 @@ std::string Range(const Interval& interval, int digits) {
   return FixedDecimals(interval.low, digits) + " .. " + FixedDecimals(interval.high, digits);
 }
 
-std::string FormatP(double p) {
-  if (!std::isnan(p) && p < 1e-4) return "< 0.0001";
-  return FixedDecimals(p, 4);
-}
-
 Table CellsTable(const StudyRecord& record, const DatasetStatistics& dataset,
                  const StudySection& section, int digits) {
   Table table({section.name + " (" + dataset.name + ")", "walks", "n", "mean", "95% interval",
@@ -137,6 +132,11 @@ Table ContributionsTable(const DatasetStatistics& dataset, int digits) {
 constexpr int kDigits = 2, kCsvDigits = 4;
 
 }  // namespace
+
+std::string FormatP(double p) {
+  if (!std::isnan(p) && p < 1e-4) return "< 0.0001";
+  return FixedDecimals(p, 4);
+}
 
 std::string FormatStudySummary(const StudyRecord& record,
                                const std::vector<DatasetStatistics>& statistics) {

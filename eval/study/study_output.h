@@ -15,6 +15,9 @@ namespace walkgraph {
 std::string FormatStudySummary(const StudyRecord& record,
                                const std::vector<DatasetStatistics>& statistics);
 
+// A p-value as tables show it: none is nought.
+std::string FormatP(double p);
+
 // Writes summary.json and tables/{cells,breakdown,contributions}.{csv,md,tex} into `dir`.
 void WriteStudyTables(const std::string& dir, const StudyRecord& record,
                       const std::vector<DatasetStatistics>& statistics);

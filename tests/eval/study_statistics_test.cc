@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "eval/random.h"
+#include "eval/study/study_output.h"
 #include "eval/study/walk_cells.h"
 
 namespace walkgraph {
@@ -158,6 +159,14 @@ TEST(StudyStatistics, ContributionsAreShapleyValuesOfTheMean) {
   EXPECT_NEAR(found[0].removes_m, 0.5 * ((10 - 7) + (9 - 4)), kExact);
   EXPECT_NEAR(found[1].removes_m, 0.5 * ((10 - 9) + (7 - 4)), kExact);
   EXPECT_NEAR(found[0].interval_m.high, found[0].removes_m, kExact);  // all walks alike
+}
+
+TEST(FormatP, NeverSaysNought) {
+  EXPECT_EQ(FormatP(0), "< 0.0001");
+  EXPECT_EQ(FormatP(9.9e-5), "< 0.0001");
+  EXPECT_EQ(FormatP(1e-4), "0.0001");
+  EXPECT_EQ(FormatP(0.6262), "0.6262");
+  EXPECT_EQ(FormatP(std::nan("")), "-");
 }
 
 TEST(WalkCells, ReadBackToTheSameBits) {
