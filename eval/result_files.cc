@@ -163,8 +163,19 @@ std::string FormatBuildingJson(const Building& building) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Json StatisticsRows(const std::vector<FactorStatistics>& statistics) {
+  Json rows = Json::array();
+  for (const FactorStatistics& s : statistics) {
+    rows.push_back({{"factor", s.factor},
+                    {"count", s.count},
+                    {"mean_squared_whitened", s.mean_squared_whitened},
+                    {"downweighted", s.downweighted}});
+  }
+  return rows;
+}
+
 std::string FormatExplanation(const EstimateResult& result, const Evidence& evidence) {
-  Json json = {{"factors", Json::array()},
+  Json json = {{"factors", StatisticsRows(result.factor_statistics)},
                {"residuals", Json::object()},
                {"hypotheses", Json::array()},
                {"readings_ns", Json::array()},
@@ -173,12 +184,7 @@ std::string FormatExplanation(const EstimateResult& result, const Evidence& evid
   for (std::size_t i = 0; i < barometer.size(); ++i) {
     json["barometer"].push_back(Json::array({barometer.time_ns[i], barometer.value[i]}));
   }
-  for (const FactorStatistics& s : result.factor_statistics) {
-    json["factors"].push_back({{"factor", s.factor},
-                               {"count", s.count},
-                               {"mean_squared_whitened", s.mean_squared_whitened},
-                               {"downweighted", s.downweighted}});
-  }
+  if (!result.innovations.empty()) json["innovations"] = StatisticsRows(result.innovations);
   for (const FactorResidual& r : result.residuals) {
     json["residuals"][r.factor].push_back(
         Json::array({r.time_ns, r.mean_squared_whitened, r.count, r.downweighted}));

@@ -45,8 +45,8 @@ Eigen::MatrixXd JointCovariance(const MarginalCovariance& marginals,
   return joint;
 }
 
-Innovation Judge(const GraphFactor& factor, const LinearFactor& linear,
-                 const MarginalCovariance& marginals) {
+FactorFit Judge(const GraphFactor& factor, const LinearFactor& linear,
+                const MarginalCovariance& marginals) {
   const int rows = factor.whitened_rows;
   const Eigen::MatrixXd jacobian = linear.jacobian.topRows(rows) / std::sqrt(factor.weight);
   const Eigen::VectorXd residual = linear.residual.head(rows) / std::sqrt(factor.weight);
@@ -54,13 +54,14 @@ Innovation Judge(const GraphFactor& factor, const LinearFactor& linear,
       Eigen::MatrixXd::Identity(rows, rows) +
       jacobian * JointCovariance(marginals, linear.blocks) * jacobian.transpose();
   const double squared = residual.dot(covariance.llt().solve(residual));
-  return {factor.type, rows / factor.dimension, factor.dimension, squared / rows};
+  return {factor.type,      factor.arrival_ns, rows / factor.dimension,
+          factor.dimension, squared / rows,    0};
 }
 
 }  // namespace
 
-std::vector<Innovation> ComputeInnovations(const FactorGraph& graph, const GraphPart& expected,
-                                           const std::vector<int>& joining) {
+std::vector<FactorFit> ComputeInnovations(const FactorGraph& graph, const GraphPart& expected,
+                                          const std::vector<int>& joining) {
   const VariableIndex index(graph, expected.blocks);
   std::vector<const GraphFactor*> judged;
   std::vector<LinearFactor> linear;
@@ -73,7 +74,7 @@ std::vector<Innovation> ComputeInnovations(const FactorGraph& graph, const Graph
   const auto marginals =
       MarginalCovariance::Compute(Linearize(graph, expected, index), PairsOf(linear));
   if (!marginals) return {};
-  std::vector<Innovation> innovations;
+  std::vector<FactorFit> innovations;
   for (std::size_t i = 0; i < judged.size(); ++i) {
     innovations.push_back(Judge(*judged[i], linear[i], *marginals));
   }

@@ -48,9 +48,9 @@ std::vector<FactorFit> ComputeFits(const FactorGraph& graph) {
   return fits;
 }
 
-std::vector<ResidualStatistics> ComputeStatistics(const FactorGraph& graph) {
+std::vector<ResidualStatistics> PoolByType(const std::vector<FactorFit>& fits) {
   std::map<std::string, ResidualStatistics> by_type;
-  for (const FactorFit& fit : ComputeFits(graph)) {
+  for (const FactorFit& fit : fits) {
     ResidualStatistics& sum = by_type[fit.type];
     sum.dimension = fit.dimension;
     sum.count += fit.count;
@@ -64,6 +64,10 @@ std::vector<ResidualStatistics> ComputeStatistics(const FactorGraph& graph) {
     all.push_back(statistics);
   }
   return all;
+}
+
+std::vector<ResidualStatistics> ComputeStatistics(const FactorGraph& graph) {
+  return PoolByType(ComputeFits(graph));
 }
 
 }  // namespace walkgraph

@@ -31,8 +31,10 @@ struct FactorFit {
 // In the graph's order, at its values. Factors without whitened rows (hearing) are left out.
 std::vector<FactorFit> ComputeFits(const FactorGraph& graph);
 
-// By type, in alphabetical order, at the graph's values. Factors without whitened rows (hearing)
-// are left out.
+// By type, in alphabetical order.
+std::vector<ResidualStatistics> PoolByType(const std::vector<FactorFit>& fits);
+
+// Of ComputeFits.
 std::vector<ResidualStatistics> ComputeStatistics(const FactorGraph& graph);
 
 }  // namespace walkgraph

@@ -4,7 +4,6 @@
 
 #include "graph/linearize.h"
 #include "graph/observability.h"
-#include "graph/statistics.h"
 
 namespace walkgraph {
 namespace {
@@ -45,16 +44,21 @@ std::vector<std::string> DescribeUnobservable(const WalkGraph& walk) {
                 {"heading", {"absolute_heading", "fingerprint", "position_anchor"}}});
 }
 
+std::vector<FactorStatistics> ToFactorStatistics(const std::vector<ResidualStatistics>& types) {
+  std::vector<FactorStatistics> all;
+  for (const ResidualStatistics& s : types) {
+    all.push_back({s.type, s.count, s.dimension, s.mean_squared_whitened, s.downweighted});
+  }
+  return all;
+}
+
 EstimateResult Describe(WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats) {
   EstimateResult result;
   GoTo(modes.front(), &walk);
   result.trajectory = MixModes(walk, modes, mode_limit_nats);
   result.slow_states = SlowStates(walk, modes.front());
   result.hypotheses = Hypotheses(walk, modes, mode_limit_nats);
-  for (const ResidualStatistics& s : ComputeStatistics(walk.graph)) {
-    result.factor_statistics.push_back(
-        {s.type, s.count, s.dimension, s.mean_squared_whitened, s.downweighted});
-  }
+  result.factor_statistics = ToFactorStatistics(ComputeStatistics(walk.graph));
   for (const FactorFit& fit : ComputeFits(walk.graph)) {
     result.residuals.push_back(
         {fit.type, fit.time_ns, fit.count, fit.mean_squared_whitened, fit.downweighted});

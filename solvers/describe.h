@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/statistics.h"
 #include "graph/walk_graph.h"
 #include "solvers/estimator.h"
 #include "solvers/modes.h"
@@ -18,6 +19,9 @@ EstimateResult Describe(WalkGraph& walk, const std::vector<Mode>& modes, double 
 // What no evidence of the walk tells at the graph's values, one sentence per direction, with the
 // factors that would tell it. Priors that only stand for ignorance do not count as evidence.
 std::vector<std::string> DescribeUnobservable(const WalkGraph& walk);
+
+// The graph's statistics as estimators report them.
+std::vector<FactorStatistics> ToFactorStatistics(const std::vector<ResidualStatistics>& types);
 
 }  // namespace walkgraph
 

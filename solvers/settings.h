@@ -59,9 +59,10 @@ void Visit(Visitor& v, WindowSettings& s) {
           "no node leaves before the oldest position is known this well over all hypotheses, m");
   v.Field("report_newest", s.report_newest,
           "report a node when it arrives instead of when it leaves the window");
-  v.Field("innovations", s.innovations,
-          "hold every reading against what was expected before it came, at a solve per arrival "
-          "(`walkgraph honesty` does)");
+  v.Field(
+      "innovations", s.innovations,
+      "hold every reading against what was expected before it came, at a solve per arrival, for "
+      "explain/ (`walkgraph honesty` always does)");
 }
 
 }  // namespace walkgraph

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "graph/graph_part.h"
+#include "graph/innovations.h"
 #include "graph/map_error_states.h"
 #include "solvers/evidence_order.h"
 #include "solvers/graph_solver.h"
@@ -201,7 +202,7 @@ void WindowRun::JudgeReadings(const std::vector<int>& joined) {
   });
   walk_.graph.SetValues(hypotheses_.front().values);
   if (!SolveGraph(expected, solver_, &walk_.graph).ok) return;
-  const std::vector<Innovation> found = ComputeInnovations(walk_.graph, expected, readings);
+  const std::vector<FactorFit> found = ComputeInnovations(walk_.graph, expected, readings);
   innovations_.insert(innovations_.end(), found.begin(), found.end());
 }
 

@@ -12,7 +12,7 @@
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
-#include "graph/innovations.h"
+#include "graph/statistics.h"
 #include "graph/walk_graph.h"
 #include "solvers/modes.h"
 #include "solvers/settings.h"
@@ -38,7 +38,7 @@ class WindowRun {
   // How often the track was lost and taken up elsewhere.
   int recoveries() const { return recoveries_; }
   // Of the readings since the first node left, where the settings ask for them.
-  const std::vector<Innovation>& innovations() const { return innovations_; }
+  const std::vector<FactorFit>& innovations() const { return innovations_; }
 
  private:
   void Arrive(std::size_t node);
@@ -81,7 +81,7 @@ class WindowRun {
   int recoveries_ = 0;
   int failed_solves_ = 0;
   int dropped_late_ = 0;
-  std::vector<Innovation> innovations_;
+  std::vector<FactorFit> innovations_;
 };
 
 }  // namespace walkgraph

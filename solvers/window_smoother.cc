@@ -1,9 +1,8 @@
 #include "solvers/window_smoother.h"
 
-#include <map>
 #include <string>
-#include <vector>
 
+#include "graph/statistics.h"
 #include "solvers/baselines/floor_tracker.h"
 #include "solvers/describe.h"
 #include "solvers/evidence_order.h"
@@ -11,26 +10,6 @@
 #include "solvers/window_run.h"
 
 namespace walkgraph {
-namespace {
-
-std::vector<FactorStatistics> PoolByType(const std::vector<Innovation>& innovations) {
-  std::map<std::string, FactorStatistics> by_type;
-  for (const Innovation& innovation : innovations) {
-    FactorStatistics& pooled = by_type[innovation.type];
-    pooled.factor = innovation.type;
-    pooled.count += innovation.count;
-    pooled.dimension = innovation.dimension;
-    pooled.mean_squared_whitened += innovation.normalized_squared * innovation.count;
-  }
-  std::vector<FactorStatistics> all;
-  for (auto& [type, pooled] : by_type) {
-    pooled.mean_squared_whitened /= static_cast<double>(pooled.count);
-    all.push_back(pooled);
-  }
-  return all;
-}
-
-}  // namespace
 
 EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsorted) const {
   const Evidence evidence = InCanonicalOrder(unsorted);
@@ -41,7 +20,7 @@ EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsort
   run.Play();
   EstimateResult result = Describe(run.walk(), {run.reported()}, solver_.mode_limit_nats);
   AppendFloorStates(track, &result.slow_states);
-  result.innovations = PoolByType(run.innovations());
+  result.innovations = ToFactorStatistics(PoolByType(run.innovations()));
   if (run.recoveries() > 0) {
     result.messages.push_back("lost the track and took it up elsewhere " +
                               std::to_string(run.recoveries()) + " times");

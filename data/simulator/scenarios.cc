@@ -19,7 +19,7 @@ SimulationSettings GyroBias() {
   SimulationSettings settings = CleanSettings();
   const InertialSettings office;
   // More than what a phone's own calibration leaves, to be seen alone; a third of the zero-rate
-  // offset that the data sheet allows a part without any.
+  // offset that the BMI160's data sheet gives a part without any.
   settings.inertial.gyro_bias_sigma_radps = DegreesToRadians(1.0);
   settings.inertial.gyro_bias_walk_radps_per_sqrt_s = office.gyro_bias_walk_radps_per_sqrt_s;
   return settings;

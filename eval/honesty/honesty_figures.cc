@@ -102,9 +102,10 @@ Figure ResidualsFigure(const HonestyResult& result, const Shown& shown) {
     add(row.method, row.statistics);
     add(row.method + " innovation", row.innovations);
   }
-  return BarsFigure("residuals",
-                    "Mean squared whitened residuals; 1 at the truth" + OverWalks(shown),
-                    "mean square", bars);
+  return BarsFigure(
+      "residuals",
+      "Mean squared whitened residuals; at the truth, and of innovations, 1" + OverWalks(shown),
+      "mean square", bars);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace walkgraph {
 // barometer is off, on a grid. Time goes in epochs.
 class FloorModel {
  public:
-  static constexpr double kEpochS = 2.0;
+  static constexpr double kEpochS = 2.0;  // from one epoch to the next, s
 
   // A distribution, or a likelihood: a column for each floor and a last one for "between", a row
   // for each cell of the offset (one alone where no barometer takes part or its offset is known).

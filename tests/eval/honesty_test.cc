@@ -230,6 +230,10 @@ TEST_F(Matched, TheWindowsInnovationsHaveVarianceOne) {
   FactorSettings bold = settings_.factors;
   bold.absolute_heading.sigma_rad /= 2;
   EXPECT_GT(pooled(bold, 2).at("absolute_heading").MeanSquare(), 2);
+  // Poses follow an error that scans share, and no reading surprises: that needs errors to see.
+  FactorSettings blind = settings_.factors;
+  blind.map_error.mode = StateMode::kAbsent;
+  EXPECT_NEAR(pooled(blind, 2).at("fingerprint").MeanSquare(), 1, 0.15);
 }
 
 TEST_F(Matched, JudgingReadingsLeavesTheEstimateAsItWas) {

@@ -41,7 +41,8 @@ TEST(ComputeInnovations, IsAKalmanFiltersAfterAStep) {
   const auto found = ComputeInnovations(graph, PartOf(graph, {start, hold}), {reading});
   ASSERT_EQ(found.size(), 1U);
   const double variance = kStart * kStart + kStep * kStep + kReading * kReading;
-  EXPECT_NEAR(found[0].normalized_squared, (read - from).squaredNorm() / variance / 2, kRelative);
+  EXPECT_NEAR(found[0].mean_squared_whitened, (read - from).squaredNorm() / variance / 2,
+              kRelative);
   EXPECT_EQ(found[0].type, PositionAnchorFactor::kName);
   EXPECT_EQ(found[0].count, 1);
   EXPECT_EQ(found[0].dimension, 2);
@@ -72,7 +73,7 @@ TEST(ComputeInnovations, KnowsWhatBlocksHaveInCommon) {
       ComputeInnovations(graph, PartOf(graph, {heading_prior, offset_prior, first}), {second});
   ASSERT_EQ(found.size(), 1U);
   const double off = gain * sum - kSecond;
-  EXPECT_NEAR(found[0].normalized_squared, off * off / (sum * noise / (sum + noise) + noise),
+  EXPECT_NEAR(found[0].mean_squared_whitened, off * off / (sum * noise / (sum + noise) + noise),
               kRelative);
 }
 
@@ -86,7 +87,7 @@ TEST(ComputeInnovations, TakesTheWeightOut) {
   const int reading = graph.AddFactor(std::move(half));
   const auto found = ComputeInnovations(graph, PartOf(graph, {prior}), {reading});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NEAR(found[0].normalized_squared, 1 / (0.3 * 0.3 + 0.4 * 0.4), kRelative);
+  EXPECT_NEAR(found[0].mean_squared_whitened, 1 / (0.3 * 0.3 + 0.4 * 0.4), kRelative);
 }
 
 TEST(ComputeInnovations, LeavesOutWhatMeasuresNothing) {
