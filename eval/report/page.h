@@ -6,11 +6,14 @@
 namespace walkgraph {
 
 // The files of eval/report/page, built into the library (cmake/embed_text.cmake).
-std::string_view PageTemplate();   // HTML with the markers @STYLE@, @DATA@ and @SCRIPT@, each once
-std::string_view PageStyle();      // CSS
-std::string_view PageScript();     // JavaScript, all files in order
-std::string_view StudyTemplate();  // HTML with the markers @STYLE@, @BODY@ and @SCRIPT@, each once
-std::string_view StudyScript();    // JavaScript of that page
+// Markers stand in the order given here, each once.
+std::string_view PageTemplate();      // HTML with @STYLE@, @DATA@, @LIBRARY@ and @SCRIPT@
+std::string_view PageStyle();         // CSS
+std::string_view PageScript();        // JavaScript, all files in order
+std::string_view StudyTemplate();     // HTML with @STYLE@, @BODY@ and @SCRIPT@
+std::string_view StudyScript();       // JavaScript of that page
+std::string_view PageLibrary();       // eval/report/third_party/uplot, its licence before it
+std::string_view PageLibraryStyle();  // CSS of the library
 
 }  // namespace walkgraph
 

@@ -145,8 +145,10 @@ void WriteRunTables(const nlohmann::ordered_json& run, const std::string& beside
 void WritePage(const nlohmann::ordered_json& data, const std::string& out_file) {
   const std::string json =
       data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  WriteFileWhole(out_file, FillTemplate(PageTemplate(), {{"@STYLE@", PageStyle()},
+  const std::string style = std::string(PageLibraryStyle()) + std::string(PageStyle());
+  WriteFileWhole(out_file, FillTemplate(PageTemplate(), {{"@STYLE@", style},
                                                          {"@DATA@", EscapeForScript(json)},
+                                                         {"@LIBRARY@", PageLibrary()},
                                                          {"@SCRIPT@", PageScript()}}));
 }
 

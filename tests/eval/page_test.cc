@@ -69,11 +69,12 @@ TEST(Page, OfAnEvaluationSortsSlidesAndTurnsDark) {
     const theme = document.documentElement.dataset.theme;
     document.getElementById('theme').click();
     seen.push('turned ' + (document.documentElement.dataset.theme !== theme));
+    seen.push('curve ' + (document.querySelectorAll('#cdf canvas').length));
     seen.push('figures ' + document.querySelectorAll('#figure-list svg').length);
     document.body.dataset.seen = seen.join('; ');
   )js");
   EXPECT_THAT(visit.document,
-              HasSubstr("sorted true; slid true; chose true; turned true; figures 4"));
+              HasSubstr("sorted true; slid true; chose true; turned true; curve 1; figures 4"));
   EXPECT_THAT(visit.console, Not(HasSubstr("CONSOLE")));
 }
 
@@ -116,21 +117,33 @@ TEST(Page, OfOneWalkExplainsItAndFollowsTheSlider) {
   EXPECT_THAT(misspelt.output, HasSubstr("did you mean \"walk_01\"?"));
   ASSERT_EQ(RunWalkgraph({"report", out, "--walk=walk_02", "--out=" + page}).exit_code, 0);
   const Visit visit = Open(page, R"js(
-    const moments = () => [...document.querySelectorAll('svg[data-time] .moment')]
+    const inFigures = () => [...document.querySelectorAll('svg[data-time] .moment')]
         .map((path) => path.getAttribute('d')).join();
-    const begin = moments();
+    const inCharts = () => [...document.querySelectorAll('#courses .moment')]
+        .map((mark) => mark.style.left).join();
+    const begin = [inFigures(), inCharts()];
     const time = document.getElementById('time');
     time.value = Number(time.max) / 2;
     time.dispatchEvent(new Event('input'));
+    const followed = [inFigures(), inCharts()].every((now, i) => begin[i] !== '' && now !== begin[i]);
+    // A click at a quarter of a chart takes the slider there.
+    const over = document.querySelector('#courses .u-over'), box = over.getBoundingClientRect();
+    const at = {clientX: box.left + box.width / 4, clientY: box.top + 5, bubbles: true};
+    for (const name of ['mousedown', 'mouseup', 'click']) over.dispatchEvent(new MouseEvent(name, at));
+    const led = Math.abs(time.value / time.max - 0.25) < 0.01;
+    const key = document.querySelector('#courses .u-legend .u-series:nth-child(2) th');
+    key.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter'}));
+    const off = key.closest('tr').classList.contains('u-off');
     const notes = document.getElementById('notes').textContent;
-    document.body.dataset.seen = `moved ${begin !== '' && moments() !== begin}; ` +
-        `courses ${document.querySelectorAll('#courses svg[data-time] .moment').length > 3}; ` +
+    document.body.dataset.seen = `followed ${followed}; led ${led}; off ${off}; ` +
+        `courses ${document.querySelectorAll('#courses canvas').length > 3}; ` +
         `walks ${document.querySelectorAll('#walk option').length}; ` +
         `fit ${/batch: fingerprint, \d+ measurements/.test(notes)}; ` +
         `answer ${/batch: hypothesis from .*, the answer/.test(notes)}`;
   )js");
-  EXPECT_THAT(visit.document,
-              HasSubstr("moved true; courses true; walks 1; fit true; answer true"));
+  EXPECT_THAT(
+      visit.document,
+      HasSubstr("followed true; led true; off true; courses true; walks 1; fit true; answer true"));
   EXPECT_THAT(visit.console, Not(HasSubstr("CONSOLE")));
 }
 

@@ -1,68 +1,80 @@
 'use strict';
-// Slow states, residuals and the barometer over a walk's time, below its plan.
+// Slow states, residuals and the barometer over a walk's time, below its plan. All of them share the
+// pointer, show the slider's moment, and a click moves the slider there.
 
-const courseSize = {width: 640, height: 120, left: 56, top: 8, right: 12, bottom: 22};
-
-// One chart: lines of [seconds, value], between the given moments.
-function courseChart(title, lines, span) {
-  const {width, height, left, top, right, bottom} = courseSize;
-  const box = {width: width - left - right, height: height - top - bottom};
-  const values = lines.flatMap((line) => line.points.map((point) => point[1]));
-  let low = Math.min(...values), high = Math.max(...values);
-  if (high - low < 1e-9) { low -= Math.abs(low) * 0.05 + 1e-3; high += Math.abs(high) * 0.05 + 1e-3; }
-  const x = (t) => left + box.width * (Math.min(Math.max(t, 0), span) / span);
-  const y = (v) => top + box.height * (high - v) / (high - low);
-  const svg = svgElement('svg', {viewBox: `0 0 ${width} ${height}`, role: 'img',
-      'aria-label': title, 'data-time': `0 ${span} ${left} ${box.width} ${top} ${box.height}`});
-  const step = roundStep(high - low, 3);
-  for (let v = Math.ceil(low / step) * step; v <= high; v += step) {
-    svg.append(svgElement('line', {class: 'axis', x1: left, x2: left + box.width, y1: y(v), y2: y(v)}),
-        svgElement('text', {x: left - 6, y: y(v) + 4, 'text-anchor': 'end'}, String(+v.toPrecision(3))));
-  }
-  for (let t = 0; t <= span; t += roundStep(span, 8)) {
-    svg.append(svgElement('text', {x: x(t), y: height - 6, 'text-anchor': 'middle'}, `${+t.toPrecision(4)} s`));
-  }
-  for (const {points, style, faint} of lines) {
-    const d = points.map(([t, v], i) => `${i === 0 ? 'M' : 'L'}${x(t).toFixed(1)} ${y(v).toFixed(1)}`).join('');
-    svg.append(svgElement('path', {class: 'line', d, 'stroke-width': faint ? 1 : 1.8,
-        'stroke-dasharray': style.dash.join(' '), style: `stroke:${style.colour}`}));
-  }
-  const keys = lines.filter((line) => line.name).map((line) =>
-      element('span', {}, lineKey(line.style), ` ${line.name}`));
-  return element('figure', {class: 'course'}, element('figcaption', {}, element('b', {}, title), ...keys), svg);
+// What uPlot calls a plugin: keeps a mark at the slider's moment.
+function momentMark() {
+  const mark = element('div', {class: 'moment'});
+  const place = (chart) => {
+    const at = chart.valToPos(state.time, 'x');
+    mark.hidden = !(at >= 0 && at <= chart.over.clientWidth);
+    mark.style.left = `${at}px`;
+  };
+  const open = (chart) => {
+    chart.over.append(mark);
+    chart.over.addEventListener('click', (event) => {
+      stopPlaying();
+      const left = event.clientX - chart.over.getBoundingClientRect().left;
+      setTime(Math.max(0, chart.posToVal(left, 'x')));
+    });
+    chart.showMoment = () => place(chart);
+    place(chart);
+  };
+  return {hooks: {ready: open, setScale: (chart) => mark.isConnected && place(chart),
+                  setSize: (chart) => mark.isConnected && place(chart)}};
 }
 
-const courseStyle = (i) => ({colour: `var(--c${i % 8})`, dash: dashes[i % 8]});
+// One chart from the walk's begin to its end at `span`.
+function courseChart(title, lines, span, bands = []) {
+  const holder = element('div');
+  byId('courses').append(element('figure', {class: 'course'},
+      element('figcaption', {}, element('b', {}, title)), holder));
+  drawChart(holder, lines, {
+    title, height: 170, span: [0, span], bands, group: 'walk', plugins: [momentMark()],
+    x: {name: 'time', format: (t) => `${+t.toFixed(1)} s`}, y: {format: formatDigits},
+  });
+}
+
+// Lines that share a colour differ in their dashes.
+const courseStyle = (i) => ({colour: `var(--c${i % 8})`, dash: dashes[(i + Math.floor(i / 8)) % 8]});
 
 // A knot's value holds until the next one, the last to the walk's end.
 function stateLines(knots, span) {
   const held = [...knots, [span, ...knots[knots.length - 1].slice(1)]];
   const dashed = {colour: 'var(--faint)', dash: [3, 3]};
   return [{points: held.map(([t, v]) => [t, v]), style: courseStyle(0), name: 'value'},
-    {points: held.map(([t, v, s]) => [t, v - 2 * s]), style: dashed, faint: true, name: '± 2 sigma'},
-    {points: held.map(([t, v, s]) => [t, v + 2 * s]), style: dashed, faint: true}];
+    {points: held.map(([t, v, s]) => [t, v + 2 * s]), style: dashed, faint: true, name: '+ 2 sigma'},
+    {points: held.map(([t, v, s]) => [t, v - 2 * s]), style: dashed, faint: true, name: '- 2 sigma'}];
+}
+
+// By time; what was heard before the walk's first pose stands at its begin.
+function pointsWithin(points, span) {
+  return points.map(([t, v]) => [Math.min(Math.max(t, 0), span), v]).sort((a, b) => a[0] - b[0]);
 }
 
 function drawCourses(walk, span) {
   const result = walk.methods[byId('course-method').value] ?? {};
-  const charts = [];
+  for (const holder of byId('courses').querySelectorAll('figure > div')) closeChart(holder);
+  byId('courses').replaceChildren();
   const residuals = Object.entries(result.residuals ?? {});
   if (residuals.length > 0) {
-    charts.push(courseChart('residuals, sigmas (1 is as modelled)', residuals.map(([name, points], i) =>
-        ({name, points: [...points].sort((a, b) => a[0] - b[0]), style: courseStyle(i)})), span));
+    courseChart('residuals, sigmas (1 is as modelled)', residuals.map(([name, points], i) =>
+        ({name, points: pointsWithin(points, span), style: courseStyle(i)})), span);
   }
+  const sigmas = [{series: [2, 3], fill: () => colourOf('var(--rule)') + '66'}];
   for (const [name, knots] of Object.entries(result.states ?? {})) {
-    charts.push(courseChart(name, stateLines(knots, span), span));
+    courseChart(name, stateLines(knots, span), span, sigmas);
   }
   if (walk.barometer) {
-    charts.push(courseChart('height by the barometer, m', [{points: walk.barometer, style: courseStyle(0)}], span));
+    courseChart('height by the barometer, m',
+        [{name: 'height', points: walk.barometer, style: courseStyle(0)}], span);
   }
-  byId('courses').replaceChildren(...charts);
 }
 
 // Offers the methods that have something to show on this walk.
 function openCourses(walk, span) {
-  const methods = Object.keys(walk.methods).filter((m) => walk.methods[m].states || walk.methods[m].residuals);
+  const methods = Object.keys(walk.methods).filter(
+      (m) => walk.methods[m].states || walk.methods[m].residuals);
   const kept = byId('course-method').value;
   byId('course-choice').hidden = methods.length === 0;
   fillSelect(byId('course-method'), methods.map((m) => [m, methodLabel(m)]),

@@ -8,6 +8,14 @@ function chooseTheme(dark) {
   byId('theme').textContent = dark ? 'Light' : 'Dark';
 }
 
+const isDark = () => document.documentElement.dataset.theme === 'dark';
+
+// Charts take their colours and keys when they are drawn.
+function redrawCharts() {
+  drawSection();
+  if (state.walk) drawCourses(state.walk, Number(byId('time').max));
+}
+
 function currentView() {
   const floor = state.run.building.floors.find((item) => String(item.number) === byId('floor').value);
   return {floor, whole: byId('extent').value === 'floor', time: state.time,
@@ -47,6 +55,7 @@ function setTime(time) {
 
 // The moment that the slider shows, on every figure over time.
 function markTime(time) {
+  for (const chart of charts.values()) chart.showMoment?.();
   for (const svg of document.querySelectorAll('svg[data-time]')) {
     const [low, high, left, width, top, height] = svg.dataset.time.split(' ').map(Number);
     const x = left + width * (time - low) / (high - low);
@@ -159,10 +168,24 @@ function openRun(index) {
   if (state.run.walks.length > 0) openWalk(0);
 }
 
+// Paper is light, and narrower than most screens.
+function printLight() {
+  let dark = false;
+  window.addEventListener('beforeprint', () => {
+    dark = isDark();
+    chooseTheme(false);
+    redrawCharts();
+    resizeCharts(printWidth);
+  });
+  window.addEventListener('afterprint', () => {
+    chooseTheme(dark);
+    redrawCharts();
+  });
+}
+
 function start() {
   chooseTheme(matchMedia('(prefers-color-scheme: dark)').matches);
-  byId('theme').addEventListener('click',
-      () => chooseTheme(document.documentElement.dataset.theme !== 'dark'));
+  byId('theme').addEventListener('click', () => { chooseTheme(!isDark()); redrawCharts(); });
   byId('run-choice').hidden = data.runs.length < 2;
   fillSelect(byId('run'), data.runs.map((run, i) => [String(i), run.name]), '0');
   byId('run').addEventListener('change', () => openRun(Number(byId('run').value)));
@@ -170,15 +193,13 @@ function start() {
   byId('walk').addEventListener('change', () => openWalk(Number(byId('walk').value)));
   byId('previous').addEventListener('click', () => openWalk(Number(byId('walk').value) - 1));
   byId('next').addEventListener('click', () => openWalk(Number(byId('walk').value) + 1));
-  byId('course-method').addEventListener('change', () => {
-    drawCourses(state.walk, Number(byId('time').max));
-    markTime(state.time);
-  });
+  byId('course-method').addEventListener('change', () => drawCourses(state.walk, Number(byId('time').max)));
   byId('floor').addEventListener('change', redrawPlan);
   byId('extent').addEventListener('change', redrawPlan);
   byId('time').addEventListener('input', () => { stopPlaying(); setTime(Number(byId('time').value)); });
   byId('play').addEventListener('click', togglePlaying);
-  window.addEventListener('resize', () => { drawSection(); redrawPlan(); });
+  window.addEventListener('resize', () => { resizeCharts(); redrawPlan(); });
+  printLight();
   openRun(0);
 }
 

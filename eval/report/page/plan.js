@@ -121,6 +121,13 @@ function drawTrack(group, track, style, view) {
       style: `fill:${style.colour};stroke:var(--paper)`}));
 }
 
+// A round step that divides `span` into at most `count` parts.
+function roundStep(span, count) {
+  const raw = span / count;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  return power * [1, 2, 5, 10].find((factor) => factor * power >= raw);
+}
+
 function drawScale(svg, rect, metresPerPixel) {
   const length = roundStep(rect.width * metresPerPixel, 5);
   const pixels = length / metresPerPixel;

@@ -75,57 +75,34 @@ function drawScoreTable(run, name) {
   byId('selection-note').textContent = sectionNotes[name] ?? '';
 }
 
-// A round step that divides `span` into at most `count` parts.
-function roundStep(span, count) {
-  const raw = span / count;
-  const power = 10 ** Math.floor(Math.log10(raw));
-  return power * [1, 2, 5, 10].find((factor) => factor * power >= raw);
-}
-
-function drawAxes(svg, box, limit) {
-  const step = roundStep(limit, box.width < 500 ? 5 : 10);
-  for (let x = 0; x <= limit + 1e-9; x += step) {
-    const at = box.left + box.width * x / limit;
-    svg.append(svgElement('line', {class: 'axis', x1: at, x2: at, y1: box.top,
-                                   y2: box.top + box.height}),
-        svgElement('text', {x: at, y: box.top + box.height + 16, 'text-anchor': 'middle'},
-            String(Math.round(x * 10) / 10)));
-  }
-  for (const share of [0, 0.25, 0.5, 0.75, 1]) {
-    const at = box.top + box.height * (1 - share);
-    svg.append(svgElement('line', {class: 'axis', x1: box.left, x2: box.left + box.width, y1: at,
-                                   y2: at}),
-        svgElement('text', {x: box.left - 6, y: at + 4, 'text-anchor': 'end'}, `${100 * share} %`));
-  }
-  svg.append(svgElement('text', {x: box.left + box.width / 2, y: box.top + box.height + 34,
-                                 'text-anchor': 'middle'}, 'error, m'));
+// The share of waypoints within each distance, as [metres, share] of the sorted errors.
+function cdfPoints(sorted) {
+  const points = [[0, 0]];
+  sorted.forEach((error, i) => {
+    const share = (i + 1) / sorted.length;
+    if (points[points.length - 1][0] === error) points[points.length - 1][1] = share;
+    else points.push([error, share]);
+  });
+  return points;
 }
 
 function drawCdf(run, name) {
-  const svg = byId('cdf');
-  const {width, height} = svg.getBoundingClientRect();
-  svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
-  svg.replaceChildren();
-  const box = {left: 52, top: 12, width: width - 72, height: height - 58};
+  const holder = byId('cdf');
   const errors = sectionErrors(run, name);
   const shown = run.methods.filter((method) => errors[method].length > 0);
-  byId('cdf').parentElement.hidden = shown.length === 0;
+  holder.parentElement.hidden = shown.length === 0;
+  closeChart(holder);
   if (shown.length === 0) return;
+  const lines = shown.map((method) => ({
+    name: `${methodLabel(method)} (n = ${errors[method].length})`, points: cdfPoints(errors[method]),
+    style: styleOf(run, method), stepped: true}));
+  const chart = drawChart(holder, lines, {
+    title: 'Share of waypoints within a distance, by method',
+    height: Math.max(240, Math.min(380, holder.clientWidth * 0.5)),
+    x: {label: 'error, m', name: 'within', format: (metres) => `${+metres.toFixed(2)} m`},
+    y: {format: (share) => `${+(100 * share).toFixed(1)} %`},
+  });
   // To the largest 90th percentile: beyond it the tails of the worst would squeeze the rest.
   const limit = Math.max(0.5, ...shown.map((m) => errors[m][Math.floor(0.9 * (errors[m].length - 1))]));
-  drawAxes(svg, box, limit);
-  for (const method of shown) {
-    const style = styleOf(run, method);
-    let path = `M${box.left} ${box.top + box.height}`;
-    errors[method].forEach((error, i) => {
-      if (error > limit) return;
-      const x = box.left + box.width * error / limit;
-      path += `H${x.toFixed(1)}V${(box.top + box.height * (1 - (i + 1) / errors[method].length)).toFixed(1)}`;
-    });
-    svg.append(svgElement('path', {class: 'line', d: path, 'stroke-width': 2,
-                                   'stroke-dasharray': style.dash.join(' '),
-                                   style: `stroke:${style.colour}`}));
-  }
-  byId('cdf-legend').replaceChildren(...shown.map((method) => element('span', {},
-      lineKey(styleOf(run, method)), ` ${methodLabel(method)} (n = ${errors[method].length})`)));
+  chart.setScale('x', {min: 0, max: limit});
 }
