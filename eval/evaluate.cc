@@ -79,6 +79,7 @@ class EvaluationRun {
       if (!walk.checksum.empty()) run_.checksums[name] = walk.checksum;
       if (!walk.error.empty()) LOG(WARNING) << name << ": " << walk.error;
     }
+    LogNotes(walks_);
   }
 
   void PlanFolds() {

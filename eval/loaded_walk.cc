@@ -1,7 +1,11 @@
 #include "eval/loaded_walk.h"
 
+#include <glog/logging.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +14,22 @@
 #include "frontends/build_evidence.h"
 
 namespace walkgraph {
+
+namespace {
+
+bool ChangesFloors(const Truth& truth) {
+  return std::any_of(truth.waypoints.begin(), truth.waypoints.end(),
+                     [&](const Waypoint& w) { return w.floor != truth.waypoints.front().floor; });
+}
+
+// Of the folder or, failing that, of the truth; nothing where no single floor is true.
+std::optional<int> GivenFloor(const WalkFile& file, const Truth& truth) {
+  if (ChangesFloors(truth)) return std::nullopt;
+  if (file.floor || truth.waypoints.empty()) return file.floor;
+  return truth.waypoints.front().floor;
+}
+
+}  // namespace
 
 LoadedWalk LoadWalk(const WalkFile& file, const Building& building,
                     const FrontendSettings& settings, bool floor_given) {
@@ -26,12 +46,20 @@ LoadedWalk LoadWalk(const WalkFile& file, const Building& building,
     return loaded;
   }
   if (floor_given) {
-    loaded.evidence.floor = file.floor;
-    if (!file.floor && !loaded.truth.waypoints.empty()) {
-      loaded.evidence.floor = loaded.truth.waypoints.front().floor;
+    loaded.evidence.floor = GivenFloor(file, loaded.truth);
+    if (ChangesFloors(loaded.truth)) {
+      loaded.notes.emplace_back("changes floors, so that none is given: estimated");
     }
   }
   return loaded;
+}
+
+void LogNotes(const std::vector<LoadedWalk>& walks) {
+  const auto noted = [](const LoadedWalk& walk) { return !walk.notes.empty(); };
+  const auto first = std::find_if(walks.begin(), walks.end(), noted);
+  if (first == walks.end()) return;
+  LOG(WARNING) << std::count_if(first, walks.end(), noted) << " of " << walks.size() << " walks, "
+               << first->file.id << " the first: " << first->notes.front();
 }
 
 void UseWaypointsAsAnchors(int every, double sigma_m, LoadedWalk* walk) {

@@ -38,7 +38,8 @@ MethodOutcome Score(const WalkRunOptions& options, const Site& site, const Estim
   const EstimateResult result = RunMethod(estimator, site, evidence, walk.truth);
   outcome.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   outcome.status = result.status;
-  outcome.messages = result.messages;
+  outcome.messages = walk.notes;
+  outcome.messages.insert(outcome.messages.end(), result.messages.begin(), result.messages.end());
   outcome.has_trajectory = !result.trajectory.empty();
   if (outcome.has_trajectory) {
     outcome.errors = ErrorsAtWaypoints(result.trajectory, walk.truth, options.waypoint_sigma_m);

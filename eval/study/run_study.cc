@@ -98,6 +98,7 @@ class PartRun {
     for (const LoadedWalk& walk : walks_) {
       if (!walk.error.empty()) LOG(WARNING) << walk.file.id << ": " << walk.error;
     }
+    LogNotes(walks_);
   }
 
   void PlanFolds() {

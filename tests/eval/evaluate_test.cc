@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "eval/run_program.h"
 
@@ -28,6 +29,33 @@ TEST(Evaluate, GivesTheSameBytesForAnyNumberOfWorkers) {
   EXPECT_TRUE(files.contains("trajectories/walk_01.viterbi.csv"));
   EXPECT_TRUE(files.contains("walks/walk_04.json"));
   EXPECT_TRUE(files.contains("building.json"));
+}
+
+TEST(Evaluate, AWalkThatChangesFloorsIsNotHeldOnOneThatIsGiven) {
+  const std::string sim = FreshPath("sim"), out = FreshPath("out");
+  ASSERT_EQ(RunWalkgraph({"simulate", "--out=" + sim, "--scenario=office", "--floors=2", "--seed=3",
+                          "--survey=4", "--test=2", "--duration_s=150", "--rate_hz=50"})
+                .exit_code,
+            0);
+  ASSERT_EQ(RunWalkgraph({"evaluate", "--train=" + sim + "/survey", "--test=" + sim + "/test",
+                          "--out=" + out, "--methods=viterbi", "--floor=given"})
+                .exit_code,
+            0);
+  int changing = 0;
+  for (const std::string walk : {"walk_01", "walk_02"}) {
+    const auto json = nlohmann::json::parse(ReadText(out + "/walks/" + walk + ".json"));
+    std::set<int> floors;
+    for (const auto& waypoint : json.at("waypoints"))
+      floors.insert(waypoint.at("floor").get<int>());
+    const bool noted =
+        json.dump().find("changes floors, so that none is given") != std::string::npos;
+    EXPECT_EQ(noted, floors.size() > 1) << walk;
+    if (noted) ++changing;
+  }
+  EXPECT_GT(changing, 0);
+  // Held on the first waypoint's floor it would be wrong at every waypoint of the other.
+  const auto summary = nlohmann::json::parse(ReadText(out + "/summary.json"));
+  EXPECT_GT(summary.at("sections").at("pooled").at("viterbi").at("floor_accuracy"), 0.95);
 }
 
 TEST(Evaluate, ScoresHaveARowPerWalkAndMethodThatAddsUpToTheSummary) {
