@@ -95,6 +95,12 @@ std::string CalibrationOfSite(const Site& site, const TrainerSettings& settings)
                  RadioName(radio), site.reading_lag_s[static_cast<std::size_t>(radio)],
                  EstimateDeviceOffsets(site.scans, radio, settings.sample_spacing_m).spread_db);
   }
+  for (const DeviceLoudness& phone : site.loudness) {
+    text += "# In the site, what to expect of " +
+            (phone.device.empty() ? std::string("a phone without a name") : phone.device);
+    text += Line(": %s %+.1f dB, give or take %.1f\n", RadioName(phone.radio), phone.mean_db,
+                 phone.sigma_db);
+  }
   return text;
 }
 

@@ -105,9 +105,7 @@ struct MapErrorSettings {
 struct RssiOffsetSettings {
   StateMode mode = StateMode::kActive;
   double prior_sigma_db = 3.0;
-
-  // What a method without the state integrates out.
-  double SpreadDb() const { return mode == StateMode::kActive ? prior_sigma_db : 0.0; }
+  bool from_survey = true;  // mean and spread of the same phone model's survey walks, where known
 };
 
 // Measured on ipin2023 (two phones, 38 recordings): means over a second repeat to 0.13 m.
@@ -282,7 +280,10 @@ void Visit(Visitor& v, MapErrorSettings& s) {
 template <typename Visitor>
 void Visit(Visitor& v, RssiOffsetSettings& s) {
   v.Field("mode", s.mode, "active, fixed or absent");
-  v.Field("prior_sigma_db", s.prior_sigma_db, "device offset per radio, dB");
+  v.Field("prior_sigma_db", s.prior_sigma_db,
+          "device offset per radio, of a phone model that the survey does not tell of, dB");
+  v.Field("from_survey", s.from_survey,
+          "expect of a phone what survey walks with its model show; false: nothing of any");
 }
 template <typename Visitor>
 void Visit(Visitor& v, BarometricSettings& s) {

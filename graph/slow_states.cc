@@ -46,13 +46,14 @@ KnotBlocks AddRandomWalkState(const RandomWalkModel& model, TimeNs begin_ns, Tim
   return state;
 }
 
-int AddRssiOffsetState(const RssiOffsetSettings& settings, int radio, TimeNs begin_ns,
+int AddRssiOffsetState(const RssiOffsetPrior& prior, Radio radio, TimeNs begin_ns,
                        FactorGraph* graph) {
   constexpr BlockKind kKind = BlockKind::kRssiOffset;
-  const bool held = settings.mode != StateMode::kActive;
-  const int block = graph->AddBlock({kKind, radio}, begin_ns, Eigen::VectorXd::Zero(1), held);
+  const bool held = prior.sigma_db <= 0;
+  const int block = graph->AddBlock({kKind, static_cast<int>(radio)}, begin_ns,
+                                    Eigen::VectorXd::Constant(1, prior.mean_db), held);
   if (!held) {
-    graph->AddFactor(MakeGraphFactor(StatePriorFactor{0, settings.prior_sigma_db}, {block},
+    graph->AddFactor(MakeGraphFactor(StatePriorFactor{prior.mean_db, prior.sigma_db}, {block},
                                      TypeOf(kKind, "prior")));
   }
   return block;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "data/time.h"
+#include "factors/rssi_offset.h"
 #include "factors/settings.h"
 #include "factors/state_blocks.h"
 #include "graph/factor_graph.h"
@@ -31,8 +32,8 @@ struct RandomWalkModel {
 KnotBlocks AddRandomWalkState(const RandomWalkModel& model, TimeNs begin_ns, TimeNs end_ns,
                               FactorGraph* graph);
 
-// The offset of a radio, which stays the same all walk long.
-int AddRssiOffsetState(const RssiOffsetSettings& settings, int radio, TimeNs begin_ns,
+// The offset of a radio, which stays the same all walk long; held where its prior has no spread.
+int AddRssiOffsetState(const RssiOffsetPrior& prior, Radio radio, TimeNs begin_ns,
                        FactorGraph* graph);
 
 }  // namespace walkgraph

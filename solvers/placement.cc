@@ -40,8 +40,10 @@ std::vector<PlacedEvidence> EvidenceOnLattice(const Site& site, const Evidence& 
   for (const RadioMap* map : MapsOnPath(site, settings.fingerprint, floors)) {
     const auto sweeps = CollectMapSweeps(site, *map, evidence, settings.fingerprint, floors);
     if (sweeps.empty()) continue;
-    const auto nats = EvaluateSweeps(*map, lattice.centers_m(), settings.rssi_offset.SpreadDb(),
-                                     settings.fingerprint.loss, sweeps);
+    const auto nats =
+        EvaluateSweeps(*map, lattice.centers_m(),
+                       PriorOfRssiOffset(site, evidence, map->radio, settings.rssi_offset),
+                       settings.fingerprint.loss, sweeps);
     for (std::size_t s = 0; s < sweeps.size(); ++s) {
       Append(sweeps[s].mean_heard_ns, (*nats)[s], &placed);
     }

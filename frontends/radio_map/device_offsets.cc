@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -160,6 +162,39 @@ Eigen::VectorXd SolveOffsets(const std::vector<SharedSquare>& squares, std::size
   return offsets;
 }
 
+double Mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// Offsets of the walks that heard the radio.
+std::map<std::string, std::vector<double>> OffsetsByDevice(
+    const std::vector<SurveyScan>& scans, Radio radio,
+    const std::vector<std::string>& device_of_walk) {
+  std::map<std::uint32_t, double> of_walk;
+  for (const SurveyScan& scan : scans) {
+    if (scan.radio == radio) of_walk[scan.walk] = scan.device_offset_db;
+  }
+  std::map<std::string, std::vector<double>> by_device;
+  for (const auto& [walk, offset_db] : of_walk) {
+    by_device[device_of_walk[walk]].push_back(offset_db);
+  }
+  return by_device;
+}
+
+// Of the walks of a model about its mean, dB^2; none where the walks do not tell.
+std::optional<double> VarianceWithin(const std::map<std::string, std::vector<double>>& by_device) {
+  constexpr std::size_t kFewestContrasts = 3;
+  double squares = 0;
+  std::size_t contrasts = 0;
+  for (const auto& [device, offsets] : by_device) {
+    const double mean = Mean(offsets);
+    for (const double offset : offsets) squares += (offset - mean) * (offset - mean);
+    contrasts += offsets.size() - 1;
+  }
+  if (contrasts < kFewestContrasts || squares <= 0) return std::nullopt;
+  return squares / static_cast<double>(contrasts);
+}
+
 }  // namespace
 
 DeviceOffsets EstimateDeviceOffsets(const std::vector<SurveyScan>& scans, Radio radio,
@@ -188,6 +223,22 @@ void SetDeviceOffsets(double square_m, std::vector<SurveyScan>* scans) {
       scan.device_offset_db = static_cast<float>(offsets.offset_db[scan.walk]);
     }
   }
+}
+
+std::vector<DeviceLoudness> SummariseDevices(const std::vector<SurveyScan>& scans,
+                                             const std::vector<std::string>& device_of_walk) {
+  std::vector<DeviceLoudness> summary;
+  for (const Radio radio : kAllRadios) {
+    const std::map<std::string, std::vector<double>> by_device =
+        OffsetsByDevice(scans, radio, device_of_walk);
+    const std::optional<double> variance = VarianceWithin(by_device);
+    if (!variance) continue;
+    for (const auto& [device, offsets] : by_device) {
+      const double more = 1 + 1 / static_cast<double>(offsets.size());
+      summary.push_back({device, radio, Mean(offsets), std::sqrt(*variance * more)});
+    }
+  }
+  return summary;
 }
 
 }  // namespace walkgraph

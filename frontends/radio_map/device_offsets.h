@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_DEVICE_OFFSETS_H_
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_DEVICE_OFFSETS_H_
 
+#include <string>
 #include <vector>
 
 #include "data/recording.h"
@@ -26,6 +27,13 @@ DeviceOffsets EstimateDeviceOffsets(const std::vector<SurveyScan>& scans, Radio 
 
 // Sets the device_offset_db of all scans, radio by radio.
 void SetDeviceOffsets(double square_m, std::vector<SurveyScan>* scans);
+
+// What the offsets of the scans, once set, say of each phone model: their mean over its walks and
+// the spread of one more walk, from the spread within models, which is taken to be the same in all.
+// None of a radio whose walks were found to hear alike, or with fewer than three walks more than
+// models. `device_of_walk` by SurveyScan::walk.
+std::vector<DeviceLoudness> SummariseDevices(const std::vector<SurveyScan>& scans,
+                                             const std::vector<std::string>& device_of_walk);
 
 }  // namespace walkgraph
 

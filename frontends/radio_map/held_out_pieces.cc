@@ -32,11 +32,12 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
     const int field = map.FindField(reading.transmitter);
     if (field >= 0) known.emplace_back(field, reading.rssi_dbm);
   }
-  const auto shifts = static_cast<Eigen::Index>(kCalibrationShifts.size());
-  ScanCost cost{known.size(), Eigen::ArrayXd(shifts), Eigen::ArrayXd(shifts)};
-  for (Eigen::Index i = 0; i < shifts; ++i) {
+  const ShiftGrid& shifts = CalibrationShifts();
+  const auto count = static_cast<Eigen::Index>(shifts.size());
+  ScanCost cost{known.size(), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
     const FieldBasis basis =
-        EvaluateBasis(map.grid, center + kCalibrationShifts.At(static_cast<std::size_t>(i)));
+        EvaluateBasis(map.grid, center + shifts.At(static_cast<std::size_t>(i)));
     double hearing = map.Silence(basis).value;
     double signal = 0, slope = 0, information = 0;
     for (const auto& [field, rssi_dbm] : known) {
@@ -80,6 +81,11 @@ void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettin
 }
 
 }  // namespace
+
+const ShiftGrid& CalibrationShifts() {
+  static const ShiftGrid shifts(2.5, 8, 1, 5);
+  return shifts;
+}
 
 HeldOutTrials::HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& settings,
                              std::size_t max_transmitters, const Executor& run)

@@ -14,8 +14,8 @@ namespace walkgraph {
 
 // Trials are held out in thirds.
 inline constexpr std::size_t kCalibrationFolds = 3;
-// By which held-out pieces are moved.
-inline constexpr ShiftGrid kCalibrationShifts(2.5, 8);
+// By which held-out pieces are moved: 21 m, and by half a metre within 3.75 m.
+const ShiftGrid& CalibrationShifts();
 
 // -log p of a scan, moved by every shift: of its signal strengths, and of what it heard and missed.
 struct ScanCost {

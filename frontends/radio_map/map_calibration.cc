@@ -24,9 +24,9 @@ constexpr std::size_t kCalibrationTransmitters = 400;
 constexpr std::array kCoarseNEff{1.0, 3.0, 9.0};
 constexpr std::array kCoarseMapErrors{1.4, 2.8};
 constexpr std::array kNoGrowth{0.0};
-constexpr std::array kNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0};
+constexpr std::array kNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0, 30.0};
 constexpr std::array kHearWeights{0.2, 0.4, 0.7, 1.0};
-constexpr std::array kMapErrors{0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
+constexpr std::array kMapErrors{0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
 constexpr std::array kGrowths{0.125, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4};
 
 PiecePosterior PosteriorOf(const HeldOutPiece& piece, double n_eff, double hear_weight) {
@@ -35,7 +35,7 @@ PiecePosterior PosteriorOf(const HeldOutPiece& piece, double n_eff, double hear_
     const double weight = std::min(1.0, n_eff / static_cast<double>(scan.readings));
     nats.push_back(weight * (scan.signal_nats + hear_weight * scan.hearing_nats));
   }
-  return PiecePosterior(nats);
+  return PiecePosterior(CalibrationShifts(), nats);
 }
 
 // What is known of the growth before a survey is seen: the default within a factor of two, or that
@@ -75,7 +75,7 @@ void ScoreMapErrors(const std::vector<HeldOutPiece>& pieces,
 
 Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const CalibrationGrid& grid) {
   Scored best;
-  SharedErrorKernels kernels(kCalibrationShifts);
+  SharedErrorKernels kernels(CalibrationShifts());
   for (const double n_eff : grid.n_effs) {
     for (const double hear_weight : grid.hear_weights) {
       std::vector<PiecePosterior> posteriors;

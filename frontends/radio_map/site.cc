@@ -12,6 +12,13 @@ const RadioMap* Site::FindMap(int floor, Radio radio) const {
   return nullptr;
 }
 
+const DeviceLoudness* Site::FindLoudness(const std::string& device, Radio radio) const {
+  const auto found = std::find_if(loudness.begin(), loudness.end(), [&](const DeviceLoudness& l) {
+    return l.device == device && l.radio == radio;
+  });
+  return found == loudness.end() ? nullptr : &*found;
+}
+
 const MagneticMap* Site::FindMagneticMap(int floor) const {
   const auto found = std::find_if(magnetic_maps.begin(), magnetic_maps.end(),
                                   [floor](const MagneticMap& map) { return map.floor == floor; });

@@ -63,6 +63,15 @@ struct SurveyedOffset {
   double sigma_m = 0;  // of the walk's own heights about it
 };
 
+// What a phone of one model adds to all readings of a radio, of the survey's walks with it: what to
+// expect of another such walk. Walks that do not name their phone are a model of their own.
+struct DeviceLoudness {
+  std::string device;
+  Radio radio = Radio::kWifi;
+  double mean_db = 0;   // louder than the fields
+  double sigma_db = 0;  // of one more walk
+};
+
 // What a survey leaves behind: the building, the raw placed readings (for methods that compare
 // fingerprints) and the fields trained on them (for methods that need a likelihood).
 struct Site {
@@ -74,6 +83,7 @@ struct Site {
   std::vector<RadioMap> maps;                      // by floor, then radio
   std::vector<MagneticMap> magnetic_maps;          // by floor
   std::vector<SurveyedOffset> barometric_offsets;  // by walk
+  std::vector<DeviceLoudness> loudness;            // by radio, then device
   // How long after its stamp a reading of a radio speaks of the place where the phone was, s.
   // Clocks play a part, and the walker's body, which makes what lies ahead sound nearer than what
   // lies behind. Calibrated in the survey, whose readings were placed with it; AlignReadings()
@@ -82,6 +92,8 @@ struct Site {
 
   // The map of a floor and radio, or nullptr where nothing was surveyed.
   const RadioMap* FindMap(int floor, Radio radio) const;
+  // That of a phone model and radio, or nullptr where the survey does not tell.
+  const DeviceLoudness* FindLoudness(const std::string& device, Radio radio) const;
   // The magnetic map of a floor, or nullptr where too few survey routes measured it.
   const MagneticMap* FindMagneticMap(int floor) const;
   // Floors with at least one radio map, ascending.

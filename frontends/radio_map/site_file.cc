@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 7;
+constexpr std::uint32_t kVersion = 8;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -267,6 +267,12 @@ void ArchiveSite(A& a, S& site) {
     b.Scalar(offset.unix_ns);
     b.Scalar(offset.offset_m);
     b.Scalar(offset.sigma_m);
+  });
+  Each(a, site.loudness, [](A& b, auto& loudness) {
+    b.Text(loudness.device);
+    b.Scalar(loudness.radio);
+    b.Scalar(loudness.mean_db);
+    b.Scalar(loudness.sigma_db);
   });
   for (auto& lag_s : site.reading_lag_s) a.Scalar(lag_s);
 }

@@ -147,7 +147,12 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
                    [](const SurveyScan& a, const SurveyScan& b) {
                      return std::tie(a.walk, a.printed_ns) < std::tie(b.walk, b.printed_ns);
                    });
-  if (settings.level_devices) SetDeviceOffsets(settings.sample_spacing_m, &site.scans);
+  if (settings.level_devices) {
+    SetDeviceOffsets(settings.sample_spacing_m, &site.scans);
+    std::vector<std::string> devices;
+    for (const SurveyWalk& walk : walks) devices.push_back(walk.evidence->device);
+    site.loudness = SummariseDevices(site.scans, devices);
+  }
   TrainMaps(settings, run, &site);
   site.magnetic_maps = TrainMagneticMaps(site);
   return site;

@@ -44,8 +44,10 @@ class Emissions {
     const std::vector<MapSweep> sweeps =
         CollectMapSweeps(site, map, evidence, settings.fingerprint, floors, kPartSeconds);
     if (sweeps.empty()) return;
-    const auto costs = EvaluateSweeps(map, lattice_.centers_m(), settings.rssi_offset.SpreadDb(),
-                                      settings.fingerprint.loss, sweeps);
+    const auto costs =
+        EvaluateSweeps(map, lattice_.centers_m(),
+                       PriorOfRssiOffset(site, evidence, map.radio, settings.rssi_offset),
+                       settings.fingerprint.loss, sweeps);
     for (std::size_t s = 0; s < sweeps.size(); ++s) AddMoved(sweeps[s].mean_heard_ns, (*costs)[s]);
     any_ = true;
   }

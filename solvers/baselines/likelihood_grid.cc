@@ -102,11 +102,8 @@ struct LikelihoodGrid::Hearing {
 };
 
 LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
-                               double rssi_offset_sigma_db, const LossSettings& loss)
-    : map_(map),
-      offset_variance_db2_(rssi_offset_sigma_db * rssi_offset_sigma_db),
-      loss_(loss),
-      original_index_(positions_m.size()) {
+                               const RssiOffsetPrior& offset, const LossSettings& loss)
+    : map_(map), offset_(offset), loss_(loss), original_index_(positions_m.size()) {
   std::vector<FieldBasis> bases;
   bases.reserve(positions_m.size());
   for (const Eigen::Vector2d& position : positions_m) {
@@ -164,10 +161,12 @@ LikelihoodGrid::FieldSamples LikelihoodGrid::Sample(const RadioMap::TransmitterF
 }
 
 std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSweep> sweeps) const {
+  const auto mean_offset_db = static_cast<float>(offset_.mean_db);
   std::vector<Hearing> hearings;
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     for (const MapSweep::Reading& reading : sweeps[s].readings) {
-      hearings.push_back({reading.field, s, reading.rssi_dbm, std::sqrt(reading.precision)});
+      hearings.push_back(
+          {reading.field, s, reading.rssi_dbm + mean_offset_db, std::sqrt(reading.precision)});
     }
   }
   std::stable_sort(hearings.begin(), hearings.end(),
@@ -200,7 +199,7 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     const auto weight = static_cast<float>(sweeps[s].weight);
     const auto share = static_cast<float>(map_.hear_weight * sweeps[s].silence_share);
-    const auto variance = static_cast<float>(offset_variance_db2_);
+    const auto variance = static_cast<float>(offset_.sigma_db * offset_.sigma_db);
     for (std::size_t i = 0; i < cell_.size(); ++i) {
       sorted[s][i] += background[s];
       nats[s][original_index_[i]] =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "factors/map_sweeps.h"
+#include "factors/rssi_offset.h"
 #include "factors/settings.h"
 #include "frontends/radio_map/radio_map.h"
 
@@ -21,14 +22,13 @@ namespace walkgraph {
 // where p_i is a reading's precision and S sums -log(1 - p_hear) over all transmitters, so that
 // -logit turns the silence of a heard one into its -log p_hear, and h is the map's hear_weight: the
 // full likelihood that the factors of the graph have, up to a constant. The graph's RSSI offset is
-// a state; here an offset common to the sweep's readings, with a normal prior, is integrated out
+// a state; here an offset common to the sweep's readings, with the same prior, is integrated out
 // (under a loss rho that is no square, in the quadratic of its weights).
 class LikelihoodGrid {
  public:
   // Keeps a reference to `map`, which must outlive it; `positions_m` may lie anywhere.
-  // `rssi_offset_sigma_db` 0 is for readings without an offset.
   LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
-                 double rssi_offset_sigma_db, const LossSettings& loss = {});
+                 const RssiOffsetPrior& offset, const LossSettings& loss = {});
 
   // For each sweep -log p (nats) at each position, in the order of the constructor. Each field is
   // evaluated once, however many sweeps heard it, and only where it differs from its background.
@@ -46,7 +46,7 @@ class LikelihoodGrid {
                       const std::vector<Segment>& segments) const;
 
   const RadioMap& map_;
-  double offset_variance_db2_;
+  RssiOffsetPrior offset_;
   LossSettings loss_;
   // Positions sorted by (row, column) of their first control point, so that a rectangle of the grid
   // is a few contiguous runs.

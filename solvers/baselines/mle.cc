@@ -35,7 +35,8 @@ std::vector<Epoch> MakeEpochs(const Site& site, int floor, const Evidence& evide
     if (map == nullptr || !settings.fingerprint.Uses(radio)) continue;
     const std::vector<MapSweep> sweeps =
         CollectMapSweeps(site, *map, evidence, settings.fingerprint);
-    const LikelihoodGrid grid(*map, points.positions_m(), settings.rssi_offset.SpreadDb(),
+    const LikelihoodGrid grid(*map, points.positions_m(),
+                              PriorOfRssiOffset(site, evidence, radio, settings.rssi_offset),
                               settings.fingerprint.loss);
     const auto nats = grid.Evaluate(sweeps);
     std::vector<TimeNs> times;

@@ -63,10 +63,10 @@ std::uint64_t HashOfPlaces(const RadioMap& map, std::span<const Eigen::Vector2d>
   return hash.value();
 }
 
-std::uint64_t HashOfSweeps(double rssi_offset_sigma_db, const LossSettings& loss,
+std::uint64_t HashOfSweeps(const RssiOffsetPrior& offset, const LossSettings& loss,
                            std::span<const MapSweep> sweeps) {
   ContentHash hash;
-  hash.Add(rssi_offset_sigma_db, loss.kind, loss.scale);
+  hash.Add(offset.mean_db, offset.sigma_db, loss.kind, loss.scale);
   for (const MapSweep& sweep : sweeps) {
     hash.Add(sweep.weight, sweep.silence_share, sweep.readings.size());
     for (const MapSweep::Reading& reading : sweep.readings) {
@@ -113,14 +113,14 @@ class RecentCosts {
 
 std::shared_ptr<const SweepCosts> EvaluateSweeps(const RadioMap& map,
                                                  std::span<const Eigen::Vector2d> positions_m,
-                                                 double rssi_offset_sigma_db,
+                                                 const RssiOffsetPrior& offset,
                                                  const LossSettings& loss,
                                                  std::span<const MapSweep> sweeps) {
   static thread_local RecentCosts recent;
   const RecentCosts::Key key = {HashOfPlaces(map, positions_m, sweeps),
-                                HashOfSweeps(rssi_offset_sigma_db, loss, sweeps)};
+                                HashOfSweeps(offset, loss, sweeps)};
   if (auto known = recent.Find(key)) return known;
-  const LikelihoodGrid grid(map, positions_m, rssi_offset_sigma_db, loss);
+  const LikelihoodGrid grid(map, positions_m, offset, loss);
   auto costs = std::make_shared<const SweepCosts>(grid.Evaluate(sweeps));
   recent.Keep(key, costs, positions_m.size() * sweeps.size());
   return costs;

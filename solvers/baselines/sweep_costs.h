@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "factors/map_sweeps.h"
+#include "factors/rssi_offset.h"
 #include "factors/settings.h"
 #include "frontends/radio_map/radio_map.h"
 
@@ -21,7 +22,7 @@ using SweepCosts = std::vector<std::vector<float>>;
 // is the same as if each were made anew.
 std::shared_ptr<const SweepCosts> EvaluateSweeps(const RadioMap& map,
                                                  std::span<const Eigen::Vector2d> positions_m,
-                                                 double rssi_offset_sigma_db,
+                                                 const RssiOffsetPrior& offset,
                                                  const LossSettings& loss,
                                                  std::span<const MapSweep> sweeps);
 

@@ -44,7 +44,7 @@ void BM_LikelihoodGrid(benchmark::State& state) {
     for (double y = 1; y < LargeSite::kHeightM; y += 2) positions.emplace_back(x, y);
   }
   for (auto _ : state) {
-    const LikelihoodGrid grid(map, positions, 3.0);
+    const LikelihoodGrid grid(map, positions, {0, 3.0});
     benchmark::DoNotOptimize(grid.Evaluate(sweeps));
   }
   double readings = 0;

@@ -194,5 +194,40 @@ TEST(DeviceOffsetsTest, FieldsOfASurveyWithManyPhonesAreThoseOfOne) {
   }
 }
 
+SurveyScan ScanWithOffset(std::uint32_t walk, float offset_db) {
+  SurveyScan scan = Scan(walk, 0, 0, -60);
+  scan.device_offset_db = offset_db;
+  return scan;
+}
+
+TEST(DeviceLoudnessTest, IsTheMeanOfAModelsWalksAndTheSpreadOfOneMore) {
+  std::vector<SurveyScan> scans;
+  const std::vector<float> offsets_db{3, -3, 5, -5, -4};
+  for (std::uint32_t walk = 0; walk < 5; ++walk) {
+    scans.push_back(ScanWithOffset(walk, offsets_db[walk]));
+    scans.push_back(ScanWithOffset(walk, offsets_db[walk]));  // scans do not count, walks do
+  }
+  const auto summary = SummariseDevices(scans, {"loud", "dull", "loud", "dull", "dull"});
+  ASSERT_EQ(summary.size(), 2U);
+  EXPECT_EQ(summary[0].device, "dull");
+  EXPECT_NEAR(summary[0].mean_db, -4, 1e-9);
+  EXPECT_EQ(summary[1].device, "loud");
+  EXPECT_NEAR(summary[1].mean_db, 4, 1e-9);
+  // Squares about the means: 1 + 1 + 0 + 1 + 1, of five walks of two models.
+  EXPECT_NEAR(summary[0].sigma_db, std::sqrt(4.0 / 3 * (1 + 1.0 / 3)), 1e-9);
+  EXPECT_NEAR(summary[1].sigma_db, std::sqrt(4.0 / 3 * (1 + 1.0 / 2)), 1e-9);
+}
+
+TEST(DeviceLoudnessTest, SaysNothingWhereWalksDoNotTell) {
+  EXPECT_TRUE(SummariseDevices({}, {}).empty());
+  const std::vector<SurveyScan> alike{ScanWithOffset(0, 0), ScanWithOffset(1, 0),
+                                      ScanWithOffset(2, 0), ScanWithOffset(3, 0)};
+  EXPECT_TRUE(SummariseDevices(alike, {"a", "a", "a", "a"}).empty());
+  const std::vector<SurveyScan> few{ScanWithOffset(0, 2), ScanWithOffset(1, -2),
+                                    ScanWithOffset(2, 1), ScanWithOffset(3, 0)};
+  EXPECT_TRUE(SummariseDevices(few, {"a", "a", "b", "b"}).empty());
+  EXPECT_EQ(SummariseDevices(few, {"a", "a", "a", "a"}).size(), 1U);
+}
+
 }  // namespace
 }  // namespace walkgraph

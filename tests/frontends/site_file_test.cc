@@ -68,6 +68,7 @@ Site SmallSite() {
   magnetic.map_error_sigma_m = 0.7;
   site.magnetic_maps = {magnetic};
   site.barometric_offsets = {{"phone", 1'560'000'000'000'000'000, 314.25, 0.2}};
+  site.loudness = {{"phone", Radio::kBeacon, -2.5, 1.25}};
   return site;
 }
 
@@ -119,6 +120,11 @@ TEST(SiteFileTest, KeepsEveryMember) {
   EXPECT_EQ(map->hear_weight, 0.4);
   EXPECT_EQ(map->map_error_sigma_m, 1.4);
   EXPECT_EQ(map->map_error_growth, 0.35);
+  EXPECT_EQ(site.FindLoudness("phone", Radio::kWifi), nullptr);
+  EXPECT_EQ(site.FindLoudness("", Radio::kBeacon), nullptr);
+  ASSERT_NE(site.FindLoudness("phone", Radio::kBeacon), nullptr);
+  EXPECT_EQ(site.FindLoudness("phone", Radio::kBeacon)->mean_db, -2.5);
+  EXPECT_EQ(site.FindLoudness("phone", Radio::kBeacon)->sigma_db, 1.25);
   EXPECT_EQ(map->survey_distance_m, before.maps[0].survey_distance_m);
   EXPECT_EQ(map->fields[0].logit_hear, before.maps[0].fields[0].logit_hear);
 }
@@ -159,7 +165,7 @@ TEST(SiteFileTest, NoticesEveryFlippedByte) {
 TEST(SiteFileTest, NamesTheVersionThatItCannotRead) {
   std::string bytes = SerializeSite(SmallSite());
   bytes[std::string("WALKGRAPHSITE\n").size()] = 99;
-  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 7")));
+  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 8")));
 }
 
 TEST(SiteFileTest, TellsWhatIsNoSite) {

@@ -63,10 +63,10 @@ TEST(LikelihoodGrid, DividesTheVarianceByAReadingsPrecision) {
   MapSweep sweep;
   sweep.readings.push_back({0, -66.0F, 0, 0.75F});
   const std::vector<Eigen::Vector2d> positions{{1.3, 1.6}};
-  const auto nats = LikelihoodGrid(map, positions, 0.0).Evaluate(std::vector{sweep});
+  const auto nats = LikelihoodGrid(map, positions, {}).Evaluate(std::vector{sweep});
   EXPECT_NEAR(nats[0][0], 0.5 * 0.75 * 1.5 * 1.5, 1e-5);
   // An offset of 3 dB integrated out: a normal of the summed variances.
-  const auto offset = LikelihoodGrid(map, positions, 3.0).Evaluate(std::vector{sweep});
+  const auto offset = LikelihoodGrid(map, positions, {0, 3.0}).Evaluate(std::vector{sweep});
   const double variance = 16 / 0.75 + 9;
   EXPECT_NEAR(offset[0][0], 0.5 * 36 / variance + 0.5 * std::log(variance / (16 / 0.75)), 1e-5);
 }
@@ -103,7 +103,7 @@ TEST(LikelihoodGrid, IsTheFullNegativeLogLikelihood) {
   MapSweep sweep;
   sweep.readings.push_back({0, -66.0F, 0});
   const std::vector<Eigen::Vector2d> positions{{1.3, 1.6}, {400, -3}};
-  const auto nats = LikelihoodGrid(map, positions, 0.0).Evaluate(std::vector{sweep});
+  const auto nats = LikelihoodGrid(map, positions, {}).Evaluate(std::vector{sweep});
   const double expected =
       0.5 * 1.5 * 1.5 + std::log(4.0 / 2.0) - std::log(p_heard) - std::log(1 - p_silent);
   EXPECT_NEAR(nats[0][0], expected, 1e-5);
@@ -123,7 +123,7 @@ TEST(LikelihoodGrid, BoundsTheSlopeOfAReadingUnderALoss) {
   const auto cost = [&](float rssi_dbm) {
     MapSweep sweep;
     sweep.readings.push_back({0, rssi_dbm, 0});
-    return LikelihoodGrid(map, positions, 0.0, huber).Evaluate(std::vector{sweep})[0][0];
+    return LikelihoodGrid(map, positions, {}, huber).Evaluate(std::vector{sweep})[0][0];
   };
   EXPECT_NEAR(cost(-64), 0.5, 1e-6);
   EXPECT_NEAR(cost(-80), 1.5 * 5 - 0.5 * 1.5 * 1.5, 1e-5);
@@ -142,13 +142,14 @@ TEST(LikelihoodGrid, IntegratesACommonOffsetOut) {
   sweep.readings.push_back({0, -68.0F, 0});
   sweep.readings.push_back({1, -75.0F, 0});
   const std::vector<Eigen::Vector2d> positions{{1.5, 1.5}};
-  const double sigma_db = 3.0;
-  const auto nats = LikelihoodGrid(map, positions, sigma_db).Evaluate(std::vector{sweep});
+  const double mean_db = 1.5, sigma_db = 3.0;
+  const auto nats =
+      LikelihoodGrid(map, positions, {mean_db, sigma_db}).Evaluate(std::vector{sweep});
   // The same integral by the midpoint rule.
   double integral = 0;
   const double step = 0.01;
   for (double offset = -40; offset < 40; offset += step) {
-    const double z0 = (-8 - offset) / 4, z1 = (-5 - offset) / 3, z = offset / sigma_db;
+    const double z0 = (-8 + offset) / 4, z1 = (-5 + offset) / 3, z = (offset - mean_db) / sigma_db;
     integral += std::exp(-0.5 * (z0 * z0 + z1 * z1 + z * z)) / (4.0 * 3.0 * sigma_db) * step;
   }
   const double expected = -std::log(integral / std::sqrt(2 * std::numbers::pi));
@@ -167,7 +168,7 @@ TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
     position.x() = coordinate(random);
     position.y() = coordinate(random);
   }
-  const auto nats = LikelihoodGrid(map, positions, 0.0).Evaluate(sweeps);
+  const auto nats = LikelihoodGrid(map, positions, {}).Evaluate(sweeps);
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const FieldBasis basis = EvaluateBasis(map.grid, positions[i]);
@@ -202,15 +203,15 @@ TEST(EvaluateSweeps, IsTheGridsAnswerHoweverOftenAndInWhateverOrder) {
       for (const auto& scans : {sweeps, louder}) {
         for (const auto& places : {positions, moved}) {
           for (const LossSettings& loss : {none, huber}) {
-            EXPECT_EQ(*EvaluateSweeps(*map, places, 3.0, loss, scans),
-                      LikelihoodGrid(*map, places, 3.0, loss).Evaluate(scans));
+            EXPECT_EQ(*EvaluateSweeps(*map, places, {0, 3.0}, loss, scans),
+                      LikelihoodGrid(*map, places, {0, 3.0}, loss).Evaluate(scans));
           }
         }
       }
     }
   }
-  const auto first = EvaluateSweeps(one.site.maps.front(), positions, 3.0, none, sweeps);
-  EXPECT_EQ(first, EvaluateSweeps(one.site.maps.front(), positions, 3.0, none, sweeps));
+  const auto first = EvaluateSweeps(one.site.maps.front(), positions, {0, 3.0}, none, sweeps);
+  EXPECT_EQ(first, EvaluateSweeps(one.site.maps.front(), positions, {0, 3.0}, none, sweeps));
 }
 
 }  // namespace

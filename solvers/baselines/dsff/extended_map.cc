@@ -136,7 +136,8 @@ class Gatherer {
   }
 
   void AddRadio(const RadioMap& map, const DsffCells::FloorCells& floor) {
-    const LikelihoodGrid grid(map, floor.points.positions_m(), factors_.rssi_offset.SpreadDb(),
+    const LikelihoodGrid grid(map, floor.points.positions_m(),
+                              PriorOfRssiOffset(site_, evidence_, map.radio, factors_.rssi_offset),
                               factors_.fingerprint.loss);
     const std::vector<MapSweep> sweeps =
         CollectMapSweeps(site_, map, evidence_, factors_.fingerprint);
