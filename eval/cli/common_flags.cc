@@ -10,9 +10,10 @@
 DEFINE_string(config, "", "YAML file with settings; `walkgraph config` prints them all");
 DEFINE_string(set, "", "one setting, KEY=VALUE; may be given several times, wins over --config");
 DEFINE_string(dataset, "", "folder of recorded walks, of any known format");
-DEFINE_string(floor, "unknown",
-              "whether methods are told the floor: unknown, or given (by the folder, the name of the "
-              "file or the waypoints; a walk that changes floors is not told any)");
+DEFINE_string(
+    floor, "unknown",
+    "whether methods are told the floor: unknown, or given (by the folder, the name of the "
+    "file or the waypoints; a walk that changes floors is not told any)");
 DEFINE_int32(folds, 5, "parts of the cross-validation");
 DEFINE_string(split, "walk", "what stays together: walk, session, trial, phone or block");
 DEFINE_bool(tum, false, "write trajectories in TUM format too");
