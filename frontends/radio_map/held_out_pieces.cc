@@ -23,7 +23,7 @@ double OffsetGain(double slope, double information, const TrainerSettings& setti
   return 0.5 * variance * slope * slope / spread - 0.5 * std::log(spread);
 }
 
-ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan, const ShiftGrid& shifts,
+ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
                         const TrainerSettings& settings) {
   // The spread of a scan's readings along the walk matters less than the grid of shifts.
   const Eigen::Vector2d center = MeanPosition(scan);
@@ -32,11 +32,11 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan, const Shift
     const int field = map.FindField(reading.transmitter);
     if (field >= 0) known.emplace_back(field, reading.rssi_dbm);
   }
-  const auto count = static_cast<Eigen::Index>(shifts.size());
-  ScanCost cost{known.size(), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
-  for (Eigen::Index i = 0; i < count; ++i) {
+  const auto shifts = static_cast<Eigen::Index>(kCalibrationShifts.size());
+  ScanCost cost{known.size(), Eigen::ArrayXd(shifts), Eigen::ArrayXd(shifts)};
+  for (Eigen::Index i = 0; i < shifts; ++i) {
     const FieldBasis basis =
-        EvaluateBasis(map.grid, center + shifts.At(static_cast<std::size_t>(i)));
+        EvaluateBasis(map.grid, center + kCalibrationShifts.At(static_cast<std::size_t>(i)));
     double hearing = map.Silence(basis).value;
     double signal = 0, slope = 0, information = 0;
     for (const auto& [field, rssi_dbm] : known) {
@@ -59,12 +59,12 @@ double SurveyDistanceOf(const RadioMap& map, const SurveyScan& scan) {
   return map.SurveyDistance(EvaluateBasis(map.grid, MeanPosition(scan))).value;
 }
 
-void AppendPieces(const RadioMap& map, const ScanList& walk, const ShiftGrid& shifts,
-                  const TrainerSettings& settings, std::vector<HeldOutPiece>* pieces) {
+void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettings& settings,
+                  std::vector<HeldOutPiece>* pieces) {
   TimeNs piece_begin = 0;
   bool open = false;
   for (const SurveyScan* scan : walk) {
-    ScanCost cost = CostOverShifts(map, *scan, shifts, settings);
+    ScanCost cost = CostOverShifts(map, *scan, settings);
     if (cost.readings == 0) continue;
     if (!open || SecondsBetween(piece_begin, scan->printed_ns) > kPieceSeconds) {
       pieces->emplace_back();
@@ -80,16 +80,6 @@ void AppendPieces(const RadioMap& map, const ScanList& walk, const ShiftGrid& sh
 }
 
 }  // namespace
-
-const ShiftGrid& WideShifts() {
-  static const ShiftGrid shifts(kWideShiftM, 8);
-  return shifts;
-}
-
-const ShiftGrid& FineShifts() {
-  static const ShiftGrid shifts(kWideShiftM, 8, 1, 5);
-  return shifts;
-}
 
 HeldOutTrials::HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& settings,
                              std::size_t max_transmitters, const Executor& run)
@@ -120,15 +110,15 @@ HeldOutTrials::Fold HeldOutTrials::MakeFold(std::size_t fold) const {
   return result;
 }
 
-void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, const ShiftGrid& shifts,
-                               std::size_t max_walks, std::vector<HeldOutPiece>* pieces) {
+void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
+                               std::vector<HeldOutPiece>* pieces) {
   if (!folds_.contains(fold)) folds_[fold] = MakeFold(fold);
   const auto& [held_out, input] = folds_[fold];
   const RadioMap map = BuildMap(input, model, settings_, run_);
   const std::size_t count = std::min(max_walks, held_out.size());
   std::vector<std::vector<HeldOutPiece>> of_walk(count);
   run_(count, [&, &walks = held_out](std::size_t i) {
-    AppendPieces(map, *walks[i * walks.size() / count], shifts, settings_, &of_walk[i]);
+    AppendPieces(map, *walks[i * walks.size() / count], settings_, &of_walk[i]);
   });
   for (std::vector<HeldOutPiece>& more : of_walk) {
     std::move(more.begin(), more.end(), std::back_inserter(*pieces));

@@ -14,11 +14,8 @@ namespace walkgraph {
 
 // Trials are held out in thirds.
 inline constexpr std::size_t kCalibrationFolds = 3;
-// By which held-out pieces are moved, 21 m to each side: by steps of 2.5 m, which is enough where
-// maps err by metres, or by half a metre in the middle, for dense surveys and clear air.
-inline constexpr double kWideShiftM = 2.5;
-const ShiftGrid& WideShifts();
-const ShiftGrid& FineShifts();
+// By which held-out pieces are moved.
+inline constexpr ShiftGrid kCalibrationShifts(2.5, 8);
 
 // -log p of a scan, moved by every shift: of its signal strengths, and of what it heard and missed.
 struct ScanCost {
@@ -45,8 +42,8 @@ class HeldOutTrials {
   bool enough() const { return enough_; }
 
   // Pieces of an even selection of at most `max_walks` walks of a fold, on the map of the others.
-  void AppendFold(std::size_t fold, const FieldModel& model, const ShiftGrid& shifts,
-                  std::size_t max_walks, std::vector<HeldOutPiece>* pieces);
+  void AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
+                  std::vector<HeldOutPiece>* pieces);
 
  private:
   // A fold's walks, and what its maps are made of.

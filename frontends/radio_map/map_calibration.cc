@@ -27,25 +27,15 @@ constexpr std::array kNoGrowth{0.0};
 constexpr std::array kNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0};
 constexpr std::array kHearWeights{0.2, 0.4, 0.7, 1.0};
 constexpr std::array kMapErrors{0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
-// For fine shifts.
-constexpr std::array kFineNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0, 30.0};
-constexpr std::array kFineMapErrors{0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8};
 constexpr std::array kGrowths{0.125, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4};
 
-// Pieces of held-out walks with the shifts they were moved by.
-struct MovedPieces {
-  const ShiftGrid& shifts;
-  std::vector<HeldOutPiece> pieces;
-};
-
-PiecePosterior PosteriorOf(const ShiftGrid& shifts, const HeldOutPiece& piece, double n_eff,
-                           double hear_weight) {
+PiecePosterior PosteriorOf(const HeldOutPiece& piece, double n_eff, double hear_weight) {
   std::vector<Eigen::ArrayXd> nats;
   for (const ScanCost& scan : piece.scans) {
     const double weight = std::min(1.0, n_eff / static_cast<double>(scan.readings));
     nats.push_back(weight * (scan.signal_nats + hear_weight * scan.hearing_nats));
   }
-  return PiecePosterior(shifts, nats);
+  return PiecePosterior(nats);
 }
 
 // What is known of the growth before a survey is seen: the default within a factor of two, or that
@@ -83,48 +73,28 @@ void ScoreMapErrors(const std::vector<HeldOutPiece>& pieces,
   }
 }
 
-Scored BestCalibration(const MovedPieces& moved, const CalibrationGrid& grid) {
+Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const CalibrationGrid& grid) {
   Scored best;
-  SharedErrorKernels kernels(moved.shifts);
+  SharedErrorKernels kernels(kCalibrationShifts);
   for (const double n_eff : grid.n_effs) {
     for (const double hear_weight : grid.hear_weights) {
       std::vector<PiecePosterior> posteriors;
-      for (const HeldOutPiece& piece : moved.pieces) {
-        posteriors.push_back(PosteriorOf(moved.shifts, piece, n_eff, hear_weight));
+      for (const HeldOutPiece& piece : pieces) {
+        posteriors.push_back(PosteriorOf(piece, n_eff, hear_weight));
       }
-      ScoreMapErrors(moved.pieces, posteriors, {.n_eff = n_eff, .hear_weight = hear_weight}, grid,
+      ScoreMapErrors(pieces, posteriors, {.n_eff = n_eff, .hear_weight = hear_weight}, grid,
                      &kernels, &best);
     }
   }
   return best;
 }
 
-MovedPieces MoveAll(const ShiftGrid& shifts, const FieldModel& model, HeldOutTrials* held_out) {
-  MovedPieces moved{shifts, {}};
-  for (std::size_t fold = 0; fold < kCalibrationFolds; ++fold) {
-    held_out->AppendFold(fold, model, shifts, kWalksPerFold, &moved.pieces);
-  }
-  return moved;
-}
-
-// The growth last, beside what an error that is the same everywhere asks for: chosen together, a
-// part of the error that no two scans share goes into it, and readings are trusted too far.
-MapCalibration SetNumbers(const MovedPieces& moved, double hear_weight,
-                          std::span<const double> n_effs, std::span<const double> map_errors) {
-  const std::array hear_weights{hear_weight};
-  const MapCalibration uniform =
-      BestCalibration(moved, {n_effs, hear_weights, map_errors, kNoGrowth}).calibration;
-  const std::array n_eff{uniform.n_eff};
-  const std::array map_error{uniform.map_error_sigma_m};
-  return BestCalibration(moved, {n_eff, hear_weights, map_error, kGrowths}).calibration;
-}
-
 double ModelScore(const FieldModel& model, HeldOutTrials* held_out,
                   std::size_t max_walks = kWalksPerFold) {
-  MovedPieces moved{WideShifts(), {}};
-  held_out->AppendFold(0, model, moved.shifts, max_walks, &moved.pieces);
+  std::vector<HeldOutPiece> pieces;
+  held_out->AppendFold(0, model, max_walks, &pieces);
   const std::array hear_weights{MapCalibration().hear_weight};
-  return BestCalibration(moved, {kCoarseNEff, hear_weights, kCoarseMapErrors, kNoGrowth}).score;
+  return BestCalibration(pieces, {kCoarseNEff, hear_weights, kCoarseMapErrors, kNoGrowth}).score;
 }
 
 // Moves one parameter along its ladder, from the value it has, as long as the score grows.
@@ -183,15 +153,19 @@ MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
                             const TrainerSettings& settings, const Executor& run) {
   HeldOutTrials held_out(survey, settings, kCalibrationTransmitters, run);
   if (!held_out.enough()) return {};
-  const MovedPieces wide = MoveAll(WideShifts(), model, &held_out);
-  const double hear_weight =
-      BestCalibration(wide, {kCoarseNEff, kHearWeights, kCoarseMapErrors, kNoGrowth})
-          .calibration.hear_weight;
-  const MapCalibration calibration = SetNumbers(wide, hear_weight, kNEff, kMapErrors);
-  // An error below half their step is none that these shifts could tell.
-  if (calibration.map_error_sigma_m > 0.5 * kWideShiftM) return calibration;
-  return SetNumbers(MoveAll(FineShifts(), model, &held_out), hear_weight, kFineNEff,
-                    kFineMapErrors);
+  std::vector<HeldOutPiece> pieces;
+  for (std::size_t fold = 0; fold < kCalibrationFolds; ++fold) {
+    held_out.AppendFold(fold, model, kWalksPerFold, &pieces);
+  }
+  const Scored coarse =
+      BestCalibration(pieces, {kCoarseNEff, kHearWeights, kCoarseMapErrors, kNoGrowth});
+  const std::array hear_weights{coarse.calibration.hear_weight};
+  // The growth last, beside what an error that is the same everywhere asks for: chosen together, a
+  // part of the error that no two scans share goes into it, and readings are trusted too far.
+  const Scored uniform = BestCalibration(pieces, {kNEff, hear_weights, kMapErrors, kNoGrowth});
+  const std::array n_effs{uniform.calibration.n_eff};
+  const std::array map_errors{uniform.calibration.map_error_sigma_m};
+  return BestCalibration(pieces, {n_effs, hear_weights, map_errors, kGrowths}).calibration;
 }
 
 }  // namespace walkgraph

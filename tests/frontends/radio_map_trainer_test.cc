@@ -145,16 +145,6 @@ TEST(TrainSiteTest, CalibratesTheErrorThatScansShare) {
   EXPECT_GT(OnlyMap(good).n_eff, 0);
 }
 
-// Sixty transmitters place within a metre: there, too, the error of the survey shows.
-TEST(TrainSiteTest, CalibratesErrorsBelowAMetreInClearAir) {
-  RadioWorld exact(5, 60), displaced(5, 60);
-  const Site good = TrainSite(exact.building, exact.Survey(1.5), {});
-  const Site bad = TrainSite(displaced.building, displaced.Survey(1.5, 60.0, 1.0), {});
-  EXPECT_LE(OnlyMap(good).map_error_sigma_m, 0.5);
-  EXPECT_GE(OnlyMap(bad).map_error_sigma_m, 1.4 * OnlyMap(good).map_error_sigma_m);
-  EXPECT_LE(OnlyMap(bad).map_error_sigma_m, 1.4);
-}
-
 TEST(TrainSiteTest, NoSurveyGivesASiteWithoutMaps) {
   const RadioWorld world(6);
   const Site site = TrainSite(world.building, {}, {});
