@@ -14,7 +14,6 @@
 #include "frontends/build_evidence.h"
 
 namespace walkgraph {
-
 namespace {
 
 bool ChangesFloors(const Truth& truth) {
@@ -22,9 +21,8 @@ bool ChangesFloors(const Truth& truth) {
                      [&](const Waypoint& w) { return w.floor != truth.waypoints.front().floor; });
 }
 
-// Of the folder or, failing that, of the truth; nothing where no single floor is true.
+// Of the folder or, failing that, of the truth.
 std::optional<int> GivenFloor(const WalkFile& file, const Truth& truth) {
-  if (ChangesFloors(truth)) return std::nullopt;
   if (file.floor || truth.waypoints.empty()) return file.floor;
   return truth.waypoints.front().floor;
 }
@@ -45,11 +43,10 @@ LoadedWalk LoadWalk(const WalkFile& file, const Building& building,
     loaded.error = error.what();
     return loaded;
   }
-  if (floor_given) {
+  if (floor_given && ChangesFloors(loaded.truth)) {
+    loaded.notes.emplace_back("changes floors, so that none is given: estimated");
+  } else if (floor_given) {
     loaded.evidence.floor = GivenFloor(file, loaded.truth);
-    if (ChangesFloors(loaded.truth)) {
-      loaded.notes.emplace_back("changes floors, so that none is given: estimated");
-    }
   }
   return loaded;
 }

@@ -203,8 +203,10 @@ TEST(EvaluateSweeps, IsTheGridsAnswerHoweverOftenAndInWhateverOrder) {
       for (const auto& scans : {sweeps, louder}) {
         for (const auto& places : {positions, moved}) {
           for (const LossSettings& loss : {none, huber}) {
-            EXPECT_EQ(*EvaluateSweeps(*map, places, {0, 3.0}, loss, scans),
-                      LikelihoodGrid(*map, places, {0, 3.0}, loss).Evaluate(scans));
+            for (const RssiOffsetPrior& offset : {RssiOffsetPrior{0, 3}, RssiOffsetPrior{2, 3}}) {
+              EXPECT_EQ(*EvaluateSweeps(*map, places, offset, loss, scans),
+                        LikelihoodGrid(*map, places, offset, loss).Evaluate(scans));
+            }
           }
         }
       }
