@@ -67,7 +67,7 @@ function drawCourses(walk, span) {
   }
   if (walk.barometer) {
     courseChart('height by the barometer, m',
-        [{name: 'height', points: walk.barometer, style: courseStyle(0)}], span);
+        [{name: 'height', points: pointsWithin(walk.barometer, span), style: courseStyle(0)}], span);
   }
 }
 
