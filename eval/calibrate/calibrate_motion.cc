@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <utility>
 
 #include "data/angle.h"
 #include "eval/calibrate/leg_comparison.h"
 #include "eval/calibrate/robust_moments.h"
+#include "eval/calibrate/sensor_noise.h"
 
 namespace walkgraph {
 namespace {
 
-constexpr std::size_t kMinSamples = 10;
 // A random walk that walks of a minute cannot tell from none: 1 degree, and 1 %, in half a minute.
 constexpr double kSmallestHeadingWalk = 0.003;  // rad/sqrt(s)
 constexpr double kSmallestScaleWalk = 0.002;    // 1/sqrt(s)
@@ -45,18 +46,7 @@ double StepSigma(const LegError& error) {
   return std::max(kSmallestM, std::sqrt(error.step_m2));
 }
 
-class Report {
- public:
-  void Set(const std::string& key, double value, std::size_t samples, const char* basis,
-           double* setting) {
-    *setting = value;
-    values_.push_back({"noise." + key, value, samples, basis});
-  }
-  std::vector<CalibratedValue> Take() { return std::move(values_); }
-
- private:
-  std::vector<CalibratedValue> values_;
-};
+using Report = std::vector<CalibratedValue>;
 
 struct LegStatistics {
   Line variance_over_lag;  // of differences between a walk's legs
@@ -91,41 +81,42 @@ void CalibrateSteps(const std::vector<WalkLegs>& walks, FactorSettings* settings
   const LegStatistics scale = Summarise(walks, &Leg::log_scale, false);
   const LegDeviations along = DeviationsFromWalk(walks, &Leg::log_scale, false);
   LegError error;
-  if (along.steps.size() >= kMinSamples) {
+  if (along.steps.size() >= kMinCalibrationSamples) {
     error = FitLegError(along);
-    report->Set("step.sigma_along_m", StepSigma(error), along.steps.size(), "legs",
-                &settings->step.sigma_along_m);
+    SetCalibrated("step.sigma_along_m", StepSigma(error), along.steps.size(), "legs",
+                  &settings->step.sigma_along_m, report);
   }
   const Moments over_walks = MomentsOverWalks(walks, &Leg::log_scale, false, error);
-  if (over_walks.samples >= kMinSamples) {
+  if (over_walks.samples >= kMinCalibrationSamples) {
     const double mean = std::exp(over_walks.mean);
     const double spread = std::max(kSmallestScaleSpread, std::sqrt(over_walks.variance));
-    report->Set("step_scale.prior_mean", mean, over_walks.samples, "walks",
-                &settings->step_scale.prior_mean);
-    report->Set("step_scale.prior_sigma", mean * spread, over_walks.samples, "walks",
-                &settings->step_scale.prior_sigma);
+    SetCalibrated("step_scale.prior_mean", mean, over_walks.samples, "walks",
+                  &settings->step_scale.prior_mean, report);
+    SetCalibrated("step_scale.prior_sigma", mean * spread, over_walks.samples, "walks",
+                  &settings->step_scale.prior_sigma, report);
   }
-  if (scale.pairs >= kMinSamples) {
-    report->Set("step_scale.walk_per_sqrt_s",
-                std::max(kSmallestScaleWalk, std::sqrt(scale.variance_over_lag.slope)), scale.pairs,
-                "pairs of legs", &settings->step_scale.walk_per_sqrt_s);
+  if (scale.pairs >= kMinCalibrationSamples) {
+    SetCalibrated("step_scale.walk_per_sqrt_s",
+                  std::max(kSmallestScaleWalk, std::sqrt(scale.variance_over_lag.slope)),
+                  scale.pairs, "pairs of legs", &settings->step_scale.walk_per_sqrt_s, report);
   }
 }
 
 void CalibrateOffset(const std::vector<WalkLegs>& walks, const LegStatistics& offset,
                      const LegError& error, FactorSettings* settings, Report* report) {
   const Moments over_walks = MomentsOverWalks(walks, &Leg::heading_rad, true, error);
-  if (over_walks.samples >= kMinSamples) {
+  if (over_walks.samples >= kMinCalibrationSamples) {
     const double spread = std::max(kSmallestHeadingSpread, std::sqrt(over_walks.variance));
-    report->Set("heading_offset.prior_mean_rad", over_walks.mean, over_walks.samples, "walks",
-                &settings->heading_offset.prior_mean_rad);
-    report->Set("heading_offset.prior_sigma_rad", spread, over_walks.samples, "walks",
-                &settings->heading_offset.prior_sigma_rad);
+    SetCalibrated("heading_offset.prior_mean_rad", over_walks.mean, over_walks.samples, "walks",
+                  &settings->heading_offset.prior_mean_rad, report);
+    SetCalibrated("heading_offset.prior_sigma_rad", spread, over_walks.samples, "walks",
+                  &settings->heading_offset.prior_sigma_rad, report);
   }
-  if (offset.pairs < kMinSamples) return;
-  report->Set("heading_offset.walk_rad_per_sqrt_s",
-              std::max(kSmallestHeadingWalk, std::sqrt(offset.variance_over_lag.slope)),
-              offset.pairs, "pairs of legs", &settings->heading_offset.walk_rad_per_sqrt_s);
+  if (offset.pairs < kMinCalibrationSamples) return;
+  SetCalibrated("heading_offset.walk_rad_per_sqrt_s",
+                std::max(kSmallestHeadingWalk, std::sqrt(offset.variance_over_lag.slope)),
+                offset.pairs, "pairs of legs", &settings->heading_offset.walk_rad_per_sqrt_s,
+                report);
 }
 
 // Mean over all legs of what averaging over a leg leaves of a variance that is drawn anew after
@@ -139,81 +130,56 @@ double MeanShareLeft(const std::vector<WalkLegs>& walks, double correlation_s) {
   return sum / legs;
 }
 
-// How well legs keep their direction: on the gyroscope alone, and on the absolute heading beyond
-// that.
+// How well legs keep their direction on the gyroscope alone. Returns the variance of one leg's own
+// direction, nothing where too few legs bear on it.
+std::optional<double> CalibrateTurns(const std::vector<WalkLegs>& by_gyroscope,
+                                     FactorSettings* settings, Report* report) {
+  constexpr double kSmallestRate = 0.01;      // a phone's gyroscope alone, rad/sqrt(s)
+  constexpr double kSmallestBiasWalk = 5e-5;  // bias instability of a phone's, rad/s/sqrt(s)
+  const DriftFreeDifferences turn = DifferencesWithoutDrift(by_gyroscope, &Leg::heading_rad);
+  if (turn.difference.size() < kMinCalibrationSamples) return std::nullopt;
+  const bool has_long_walks = turn.long_walks >= kMinCalibrationSamples;
+  std::vector<std::vector<double>> columns = {turn.noise, turn.wander};
+  if (has_long_walks) columns.push_back(turn.bias);
+  const std::vector<double> parts = RelativeVarianceComponents(turn.difference, columns);
+  SetCalibrated("heading_increment.sigma_rad_per_sqrt_s",
+                std::max(kSmallestRate, std::sqrt(parts[1])), turn.difference.size(),
+                "pairs of legs", &settings->heading_increment.sigma_rad_per_sqrt_s, report);
+  // Zero only says that these walks cannot tell: their legs' own errors hide a bias that wanders.
+  if (has_long_walks && parts[2] > 0) {
+    SetCalibrated("gyro_bias.walk_radps_per_sqrt_s",
+                  std::max(kSmallestBiasWalk, std::sqrt(parts[2])), turn.difference.size(),
+                  "pairs of legs", &settings->gyro_bias.walk_radps_per_sqrt_s, report);
+  }
+  return parts[0];
+}
+
+// The same, and on the absolute heading beyond that.
 void CalibrateDirections(const std::vector<WalkLegs>& absolute,
                          const std::vector<WalkLegs>& by_gyroscope, FactorSettings* settings,
                          Report* report) {
-  constexpr double kSmallestRate = 0.01;          // a phone's gyroscope alone, rad/sqrt(s)
   constexpr double kSmallestHeadingSigma = 0.03;  // two degrees: a walking person's sway
   const LegStatistics offset = Summarise(absolute, &Leg::heading_rad, true);
-  const DriftFreeDifferences turn = DifferencesWithoutDrift(by_gyroscope, &Leg::heading_rad);
-  const std::vector<double> turn_parts =
-      VarianceComponents(turn.difference, {turn.noise, turn.wander});
-  const bool has_turn = turn.difference.size() >= kMinSamples;
-  if (has_turn) {
-    report->Set("heading_increment.sigma_rad_per_sqrt_s",
-                std::max(kSmallestRate, std::sqrt(turn_parts[1])), turn.difference.size(),
-                "pairs of legs", &settings->heading_increment.sigma_rad_per_sqrt_s);
-  }
+  const std::optional<double> turn_rad2 = CalibrateTurns(by_gyroscope, settings, report);
   // A walk has no mean direction on a gyroscope that drifts.
   const LegDeviations across =
-      DeviationsFromNeighbours(has_turn ? by_gyroscope : absolute, &Leg::heading_rad, true);
+      DeviationsFromNeighbours(turn_rad2 ? by_gyroscope : absolute, &Leg::heading_rad, true);
   LegError error;
-  if (across.steps.size() >= kMinSamples) {
+  if (across.steps.size() >= kMinCalibrationSamples) {
     error = FitLegError(across);
-    report->Set("step.sigma_across_m", StepSigma(error), across.steps.size(), "legs",
-                &settings->step.sigma_across_m);
+    SetCalibrated("step.sigma_across_m", StepSigma(error), across.steps.size(), "legs",
+                  &settings->step.sigma_across_m, report);
   }
-  if (has_turn && offset.pairs >= kMinSamples) {
-    const double beyond = 0.5 * offset.variance_over_lag.intercept - turn_parts[0];
+  if (turn_rad2 && offset.pairs >= kMinCalibrationSamples) {
+    const double beyond = 0.5 * offset.variance_over_lag.intercept - *turn_rad2;
     error.compass_correlation_s = settings->absolute_heading.correlation_s;
     error.compass_rad2 =
         std::max(0.0, beyond) / MeanShareLeft(absolute, error.compass_correlation_s);
-    report->Set("absolute_heading.sigma_rad",
-                std::max(kSmallestHeadingSigma, std::sqrt(error.compass_rad2)), offset.pairs,
-                "pairs of legs", &settings->absolute_heading.sigma_rad);
+    SetCalibrated("absolute_heading.sigma_rad",
+                  std::max(kSmallestHeadingSigma, std::sqrt(error.compass_rad2)), offset.pairs,
+                  "pairs of legs", &settings->absolute_heading.sigma_rad, report);
   }
   CalibrateOffset(absolute, offset, error, settings, report);
-}
-
-// Drift of absolute heading against integrated yaw, rad/s; NaN for short walks. The median over
-// spans of the walk, in each of which it is less than half a turn: a phone that is held upright for
-// a moment has a heading that turns round and may come back by the other way, and from then on its
-// unwrapped heading is whole turns off.
-double DriftRate(const Evidence& evidence) {
-  constexpr double kMinSeconds = 10, kLongestSpanS = 20, kIntervalS = 0.5;
-  const Stream<double>& heading = evidence.absolute_heading_rad;
-  const Stream<double>& yaw = evidence.gyro_yaw_rad;
-  if (heading.empty() || yaw.empty()) return std::nan("");
-  const TimeNs begin = std::max(heading.time_ns.front(), yaw.time_ns.front());
-  const TimeNs end = std::min(heading.time_ns.back(), yaw.time_ns.back());
-  const double seconds = SecondsBetween(begin, end);
-  if (seconds < kMinSeconds) return std::nan("");
-  const double span_s = std::min(kLongestSpanS, 0.75 * seconds);
-  const auto apart = [&](TimeNs time) {
-    return Interpolate(heading, time) - Interpolate(yaw, time);
-  };
-  std::vector<double> rates;
-  for (TimeNs from = begin; from + DurationNs(span_s) <= end; from += DurationNs(kIntervalS)) {
-    rates.push_back(WrapAngle(apart(from + DurationNs(span_s)) - apart(from)) / span_s);
-  }
-  return Median(std::move(rates));
-}
-
-void CalibrateGyroscopeBias(const std::vector<CalibrationWalk>& walks, FactorSettings* settings,
-                            Report* report) {
-  constexpr double kSmallestBias = 1e-4;  // below what a walk of a minute can show, rad/s
-  std::vector<double> rates;
-  for (const CalibrationWalk& walk : walks) {
-    const double rate = DriftRate(*walk.evidence);
-    if (std::isfinite(rate)) rates.push_back(rate);
-  }
-  if (rates.size() < kMinSamples) return;
-  const Moments moments = ClippedMoments(rates);
-  const double second_moment = moments.variance + moments.mean * moments.mean;
-  report->Set("gyro_bias.prior_sigma_radps", std::max(kSmallestBias, std::sqrt(second_moment)),
-              moments.samples, "walks", &settings->gyro_bias.prior_sigma_radps);
 }
 
 }  // namespace
@@ -239,8 +205,9 @@ std::vector<CalibratedValue> CalibrateMotion(const Building& building,
   }
   CalibrateSteps(absolute.empty() ? by_gyroscope : absolute, settings, &report);
   CalibrateDirections(absolute, by_gyroscope, settings, &report);
-  CalibrateGyroscopeBias(walks, settings, &report);
-  return report.Take();
+  CalibrateGyroscopeBias(walks, &settings->gyro_bias, &report);
+  CalibrateBarometer(walks, &settings->barometric, &settings->barometric_offset, &report);
+  return report;
 }
 
 }  // namespace walkgraph

@@ -1,30 +1,13 @@
 #ifndef WALKGRAPH_EVAL_CALIBRATE_CALIBRATE_MOTION_H_
 #define WALKGRAPH_EVAL_CALIBRATE_CALIBRATE_MOTION_H_
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
 #include "data/building.h"
-#include "data/truth.h"
+#include "eval/calibrate/calibrated_values.h"
 #include "factors/settings.h"
-#include "frontends/evidence/evidence.h"
 
 namespace walkgraph {
-
-// A walk with truth (in the building frame), to learn noise from.
-struct CalibrationWalk {
-  const Evidence* evidence = nullptr;
-  const Truth* truth = nullptr;
-};
-
-// One calibrated setting: what it was set to and on how much it rests.
-struct CalibratedValue {
-  std::string key;  // as in the configuration file, "noise.step.sigma_along_m"
-  double value = 0;
-  std::size_t samples = 0;
-  std::string basis;  // what the samples are: "walks", "pairs of legs", "samples"
-};
 
 // Sets the noise of steps and headings, and the spread and random walk of their slow states, to
 // what the walks show; where fewer than ten samples bear on a value it keeps its default and is not
@@ -35,13 +18,15 @@ struct CalibratedValue {
 //  - random walk: the squared difference of two legs of one walk is 2 noise + rate x time apart, a
 //    straight line fitted over all pairs;
 //  - heading increments: the same on the gyroscope alone, once each walk has lost a steady drift,
-//    which is its bias and has a state of its own;
+//    which is its bias and has a state of its own; with ten walks of a minute and more also the
+//    random walk of that bias, whose part of the variance grows with the cube of the time;
 //  - error of a step: how the squared error of a leg grows with its steps (what it does not grow
 //    with is the waypoints' own); sideways from legs reckoned on the gyroscope, which has no
 //    compass in it, against the legs before and after, and beside what their direction wanders;
 //  - the absolute heading's sigma: what legs reckoned on it err beyond those on the gyroscope, as
 //    independent samples `correlation_s` apart;
-//  - gyroscope bias: from the drift of absolute heading against integrated yaw over 20 s.
+//  - gyroscope bias, the time over which a compass's error lasts, and the barometer:
+//  sensor_noise.h.
 // Spreads are clipped at three robust standard deviations, so that a few wrong legs do not decide.
 std::vector<CalibratedValue> CalibrateMotion(const Building& building,
                                              const std::vector<CalibrationWalk>& walks,

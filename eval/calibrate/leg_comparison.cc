@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMinLegM = 3.0;
 constexpr double kMaxLagS = 40.0;
+constexpr double kLongWalkS = 60.0;
 
 int StepsBetween(const Evidence& evidence, TimeNs begin, TimeNs end) {
   return static_cast<int>(
@@ -78,6 +79,16 @@ Eigen::MatrixXd RandomWalkCovariance(const std::vector<double>& seconds) {
   const auto n = static_cast<Eigen::Index>(seconds.size());
   return Eigen::MatrixXd::NullaryExpr(n, n, [&seconds](Eigen::Index i, Eigen::Index j) {
     return seconds[static_cast<std::size_t>(std::min(i, j))];
+  });
+}
+
+// Of the integral of such a walk.
+Eigen::MatrixXd IntegratedWalkCovariance(const std::vector<double>& seconds) {
+  const auto n = static_cast<Eigen::Index>(seconds.size());
+  return Eigen::MatrixXd::NullaryExpr(n, n, [&seconds](Eigen::Index i, Eigen::Index j) {
+    const double first = seconds[static_cast<std::size_t>(std::min(i, j))];
+    const double second = seconds[static_cast<std::size_t>(std::max(i, j))];
+    return first * first * (3 * second - first) / 6;
   });
 }
 
@@ -159,6 +170,8 @@ DriftFreeDifferences DifferencesWithoutDrift(const std::vector<WalkLegs>& walks,
     const Eigen::MatrixXd residual = WithoutLine(seconds);
     const Eigen::VectorXd left = residual * Unwrapped(legs, value);
     const Eigen::MatrixXd wandered = residual * RandomWalkCovariance(seconds) * residual;
+    const Eigen::MatrixXd drifted = residual * IntegratedWalkCovariance(seconds) * residual;
+    if (seconds.back() >= kLongWalkS) ++all.long_walks;
     const auto between = [](const Eigen::MatrixXd& m, Eigen::Index i, Eigen::Index j) {
       return m(i, i) + m(j, j) - 2 * m(i, j);
     };
@@ -169,6 +182,7 @@ DriftFreeDifferences DifferencesWithoutDrift(const std::vector<WalkLegs>& walks,
         all.difference.push_back(left[j] - left[i]);
         all.noise.push_back(between(residual, i, j));
         all.wander.push_back(between(wandered, i, j));
+        all.bias.push_back(between(drifted, i, j));
       }
     }
   }

@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_EVAL_CALIBRATE_LEG_COMPARISON_H_
 #define WALKGRAPH_EVAL_CALIBRATE_LEG_COMPARISON_H_
 
+#include <cstddef>
 #include <vector>
 
 #include "data/truth.h"
@@ -56,13 +57,16 @@ PairDifferences DifferencesWithinWalks(const std::vector<WalkLegs>& walks, doubl
                                        bool circular);
 
 // The same of angles after each walk has lost the straight line through its legs' values over time:
-// no bias of a gyroscope is left in it. Only walks of three legs and more. The variance of a
+// no steady bias of a gyroscope is left in it. Only walks of three legs and more. The variance of a
 // difference is `noise` times that of one leg's value (equal and independent) plus `wander` times
-// the rate of a random walk of the value, as the lost line leaves them.
+// the rate of a random walk of the value plus `bias` times that of a random walk of the value's
+// drift, as the lost line leaves them.
 struct DriftFreeDifferences {
   std::vector<double> difference;
   std::vector<double> noise;
   std::vector<double> wander;  // s
+  std::vector<double> bias;    // s^3
+  std::size_t long_walks = 0;  // of a minute and more, which tell a drift that changes from turns
 };
 DriftFreeDifferences DifferencesWithoutDrift(const std::vector<WalkLegs>& walks,
                                              double Leg::*value);

@@ -113,6 +113,28 @@ std::vector<double> VarianceComponents(const std::vector<double>& differences,
   return coefficients;
 }
 
+std::vector<double> RelativeVarianceComponents(const std::vector<double>& differences,
+                                               const std::vector<std::vector<double>>& columns) {
+  constexpr int kRounds = 10;
+  std::vector<double> fit = VarianceComponents(differences, columns);
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<double> whitened;
+    std::vector<std::vector<double>> relative(columns.size());
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      double variance = 0;
+      for (std::size_t c = 0; c < columns.size(); ++c) variance += fit[c] * columns[c][i];
+      if (!(variance > 0)) continue;
+      whitened.push_back(differences[i] / std::sqrt(variance));
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        relative[c].push_back(columns[c][i] / variance);
+      }
+    }
+    if (whitened.empty()) break;
+    fit = VarianceComponents(whitened, relative);
+  }
+  return fit;
+}
+
 Line VarianceOverLag(const std::vector<double>& differences, const std::vector<double>& lag_s) {
   const std::vector<double> ones(differences.size(), 1.0);
   const std::vector<double> fit = VarianceComponents(differences, {ones, lag_s});

@@ -37,7 +37,13 @@ struct Line {
 std::vector<double> VarianceComponents(const std::vector<double>& differences,
                                        const std::vector<std::vector<double>>& columns);
 
-// The same as a line over `lag_s`.
+// The same where the variances differ much: every difference counts relative to the variance that
+// the fit gives it, and is clipped at three robust deviations of the whitened ones, until that
+// settles. Without, the clipping takes most of what has the greatest variances.
+std::vector<double> RelativeVarianceComponents(const std::vector<double>& differences,
+                                               const std::vector<std::vector<double>>& columns);
+
+// The same as VarianceComponents, as a line over `lag_s`.
 Line VarianceOverLag(const std::vector<double>& differences, const std::vector<double>& lag_s);
 
 }  // namespace walkgraph

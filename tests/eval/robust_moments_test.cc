@@ -271,5 +271,25 @@ TEST(VarianceComponentsTest, TellsExactComponentsApart) {
   EXPECT_GT(positive[0] + positive[1], 0.0);
 }
 
+// Variances from 1 to 1001, with one value in fifty that belongs to none of them: what is clipped by
+// one width loses the great variances, what is clipped by each one's own does not.
+TEST(RelativeVarianceComponentsTest, KeepsWhatHasTheGreatestVariances) {
+  constexpr double kNoise = 1.0, kRate = 0.001;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<double> differences, ones, cubes;
+  for (int i = 0; i < 20000; ++i) {
+    ones.push_back(1);
+    cubes.push_back(std::pow(i % 100, 3));
+    const double sigma = std::sqrt(kNoise + kRate * cubes.back());
+    differences.push_back(sigma * (i % 50 == 7 ? 30.0 : normal(random)));
+  }
+  const std::vector<double> found = RelativeVarianceComponents(differences, {ones, cubes});
+  EXPECT_NEAR(found[0], kNoise, 0.1);
+  EXPECT_NEAR(found[1], kRate, 0.1 * kRate);
+  EXPECT_LT(VarianceComponents(differences, {ones, cubes})[1], 0.7 * kRate);
+  EXPECT_EQ(RelativeVarianceComponents({}, {{}, {}}), std::vector<double>(2, 0.0));
+}
+
 }  // namespace
 }  // namespace walkgraph
