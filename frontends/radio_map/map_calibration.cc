@@ -38,43 +38,53 @@ PiecePosterior PosteriorOf(const HeldOutPiece& piece, double n_eff, double hear_
   return PiecePosterior(nats);
 }
 
-// What is known of the growth before a survey is seen: the default within a factor of two, or that
-// it is not asked for. A survey that is nowhere far from itself has nothing to add.
-double LogPriorOfGrowth(double growth) {
-  if (growth <= 0) return 0;
-  const double octaves = std::log2(growth / MapCalibration().map_error_growth);
+// What is known of a calibrated number before a survey is seen: its default, within a factor of
+// two.
+double LogPriorAbout(double known, double value) {
+  const double octaves = std::log2(value / known);
   return -0.5 * octaves * octaves;
+}
+
+// A growth of zero is not asked for.
+double LogPrior(const MapCalibration& calibration) {
+  const MapCalibration known;
+  const double growth = calibration.map_error_growth;
+  return LogPriorAbout(known.n_eff, calibration.n_eff) +
+         LogPriorAbout(known.map_error_sigma_m, calibration.map_error_sigma_m) +
+         (growth > 0 ? LogPriorAbout(known.map_error_growth, growth) : 0.0);
 }
 
 struct Scored {
   MapCalibration calibration;
-  double score = -std::numeric_limits<double>::infinity();
+  double score = -std::numeric_limits<double>::infinity();  // log likelihood of the pieces
 };
 
 struct CalibrationGrid {
   std::span<const double> n_effs, hear_weights, map_errors, growths;
 };
 
-// The best map error for posteriors that the n_eff and hear_weight of `trial` have made.
+// All map errors for posteriors that the n_eff and hear_weight of `trial` have made.
 void ScoreMapErrors(const std::vector<HeldOutPiece>& pieces,
                     const std::vector<PiecePosterior>& posteriors, MapCalibration trial,
-                    const CalibrationGrid& grid, SharedErrorKernels* kernels, Scored* best) {
+                    const CalibrationGrid& grid, SharedErrorKernels* kernels,
+                    std::vector<Scored>* scored) {
   for (const double sigma_m : grid.map_errors) {
     for (const double growth : grid.growths) {
       trial.map_error_sigma_m = sigma_m;
       trial.map_error_growth = growth;
-      double score = LogPriorOfGrowth(growth);
+      double score = 0;
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         const double grown_m = growth * std::round(pieces[i].survey_distance_m);
         score += posteriors[i].Score(kernels->At(std::hypot(sigma_m, grown_m)));
       }
-      if (score > best->score) *best = {trial, score};
+      scored->push_back({trial, score});
     }
   }
 }
 
-Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const CalibrationGrid& grid) {
-  Scored best;
+std::vector<Scored> ScoreCalibrations(const std::vector<HeldOutPiece>& pieces,
+                                      const CalibrationGrid& grid) {
+  std::vector<Scored> scored;
   SharedErrorKernels kernels(kCalibrationShifts);
   for (const double n_eff : grid.n_effs) {
     for (const double hear_weight : grid.hear_weights) {
@@ -83,10 +93,42 @@ Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const Calibratio
         posteriors.push_back(PosteriorOf(piece, n_eff, hear_weight));
       }
       ScoreMapErrors(pieces, posteriors, {.n_eff = n_eff, .hear_weight = hear_weight}, grid,
-                     &kernels, &best);
+                     &kernels, &scored);
     }
   }
+  return scored;
+}
+
+// The likeliest.
+Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const CalibrationGrid& grid) {
+  Scored best;
+  for (const Scored& trial : ScoreCalibrations(pieces, grid)) {
+    if (trial.score > best.score) best = trial;
+  }
   return best;
+}
+
+// The posterior mean of the logarithms: a survey of few pieces, for which half of the grid is as
+// likely as the best, gives no number of its own to each handful of walks.
+MapCalibration MeanCalibration(const std::vector<HeldOutPiece>& pieces,
+                               const CalibrationGrid& grid) {
+  std::vector<Scored> scored = ScoreCalibrations(pieces, grid);
+  double most = -std::numeric_limits<double>::infinity();
+  for (Scored& trial : scored) {
+    trial.score += LogPrior(trial.calibration);
+    most = std::max(most, trial.score);
+  }
+  double total = 0, log_n_eff = 0, log_hear = 0, log_sigma = 0, growth = 0;
+  for (const Scored& trial : scored) {
+    const double weight = std::exp(trial.score - most);
+    total += weight;
+    log_n_eff += weight * std::log(trial.calibration.n_eff);
+    log_hear += weight * std::log(trial.calibration.hear_weight);
+    log_sigma += weight * std::log(trial.calibration.map_error_sigma_m);
+    growth += weight * trial.calibration.map_error_growth;
+  }
+  return {std::exp(log_n_eff / total), std::exp(log_hear / total), std::exp(log_sigma / total),
+          growth / total};
 }
 
 double ModelScore(const FieldModel& model, HeldOutTrials* held_out,
@@ -162,10 +204,11 @@ MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
   const std::array hear_weights{coarse.calibration.hear_weight};
   // The growth last, beside what an error that is the same everywhere asks for: chosen together, a
   // part of the error that no two scans share goes into it, and readings are trusted too far.
-  const Scored uniform = BestCalibration(pieces, {kNEff, hear_weights, kMapErrors, kNoGrowth});
-  const std::array n_effs{uniform.calibration.n_eff};
-  const std::array map_errors{uniform.calibration.map_error_sigma_m};
-  return BestCalibration(pieces, {n_effs, hear_weights, map_errors, kGrowths}).calibration;
+  const MapCalibration uniform =
+      MeanCalibration(pieces, {kNEff, hear_weights, kMapErrors, kNoGrowth});
+  const std::array n_effs{uniform.n_eff};
+  const std::array map_errors{uniform.map_error_sigma_m};
+  return MeanCalibration(pieces, {n_effs, hear_weights, map_errors, kGrowths});
 }
 
 }  // namespace walkgraph

@@ -33,8 +33,9 @@ std::optional<double> PlacementScore(const FloorSurvey& survey, const TrainerSet
 FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& settings,
                             const Executor& run = RunInOrder);
 
-// n_eff, hear_weight, map error and its growth with the best total score over three folds of walks.
-// The defaults where there are fewer than six walks.
+// n_eff, map error and its growth by what three folds of walks say of them: the posterior mean over
+// a grid, beside a prior of the defaults within a factor of two each; hear_weight by the best total
+// score. The defaults where there are fewer than six walks.
 MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
                             const TrainerSettings& settings, const Executor& run = RunInOrder);
 

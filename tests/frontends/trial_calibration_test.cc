@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,23 @@ TEST(TrialCalibration, ARepeatedRouteIsNoNewOne) {
   const Site untold = TrainSite(untold_world.building, Repeated(&untold_world, false), {});
   ASSERT_EQ(told.maps.size(), 1u);
   EXPECT_GE(told.maps[0].map_error_sigma_m, 1.4 * untold.maps[0].map_error_sigma_m);
+}
+
+// What is chosen from a ladder jumps by whole rungs, on a survey of few walks by several.
+TEST(TrialCalibration, OneWalkLessMovesItLittle) {
+  RadioWorld world(2);
+  const std::vector<SurveyWalk> walks = world.Survey(3.0);
+  const Site all = TrainSite(world.building, walks, {});
+  double moved = 0;  // octaves
+  for (std::size_t left_out = 0; left_out < walks.size(); ++left_out) {
+    std::vector<SurveyWalk> fewer = walks;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(left_out));
+    const Site site = TrainSite(world.building, fewer, {});
+    moved = std::max(moved, std::abs(std::log2(site.maps[0].n_eff / all.maps[0].n_eff)));
+    moved = std::max(
+        moved, std::abs(std::log2(site.maps[0].map_error_sigma_m / all.maps[0].map_error_sigma_m)));
+  }
+  EXPECT_LT(moved, 0.5);
 }
 
 TEST(TrialCalibration, WalksWithoutATrialAreTrialsOfTheirOwn) {
