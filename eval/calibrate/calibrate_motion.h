@@ -25,8 +25,7 @@ namespace walkgraph {
 //    compass in it, against the legs before and after, and beside what their direction wanders;
 //  - the absolute heading's sigma: what legs reckoned on it err beyond those on the gyroscope, as
 //    independent samples `correlation_s` apart;
-//  - gyroscope bias, the time over which a compass's error lasts, and the barometer:
-//  sensor_noise.h.
+//  - spread of the gyroscope's bias, and the barometer: sensor_noise.h.
 // Spreads are clipped at three robust standard deviations, so that a few wrong legs do not decide.
 std::vector<CalibratedValue> CalibrateMotion(const Building& building,
                                              const std::vector<CalibrationWalk>& walks,

@@ -172,8 +172,8 @@ TEST(CalibrateMotionTest, TellsTheErrorOfStepsFromThatOfWaypoints) {
   EXPECT_NEAR(Calibrate(swaying).step.sigma_along_m, 0.25, 0.05);
 }
 
-// Neighbouring legs share a waypoint and its error, which the model has not: the rate comes out up to
-// a quarter low.
+// Neighbouring legs share a waypoint and its error, which the model has not: the rate comes out up
+// to a quarter low.
 TEST(CalibrateMotionTest, RecoversTheWanderingOfDirection) {
   Gait gait;
   gait.turn_rad_per_sqrt_s = 0.04;

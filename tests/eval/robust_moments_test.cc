@@ -271,8 +271,8 @@ TEST(VarianceComponentsTest, TellsExactComponentsApart) {
   EXPECT_GT(positive[0] + positive[1], 0.0);
 }
 
-// Variances from 1 to 1001, with one value in fifty that belongs to none of them: what is clipped by
-// one width loses the great variances, what is clipped by each one's own does not.
+// Variances from 1 to 1001, with one value in fifty that belongs to none of them: what is clipped
+// by one width loses the great variances, what is clipped by each one's own does not.
 TEST(RelativeVarianceComponentsTest, KeepsWhatHasTheGreatestVariances) {
   constexpr double kNoise = 1.0, kRate = 0.001;
   std::mt19937 random(1);
