@@ -38,8 +38,8 @@ std::vector<double> VarianceComponents(const std::vector<double>& differences,
                                        const std::vector<std::vector<double>>& columns);
 
 // The same where the variances differ much: every difference counts relative to the variance that
-// the fit gives it, and is clipped at three robust deviations of the whitened ones, until that
-// settles. Without, the clipping takes most of what has the greatest variances.
+// the fit gives it, and is clipped at three robust deviations of the whitened ones, in ten
+// rounds. Without, the clipping takes most of what has the greatest variances.
 std::vector<double> RelativeVarianceComponents(const std::vector<double>& differences,
                                                const std::vector<std::vector<double>>& columns);
 
