@@ -56,6 +56,19 @@ double Correlation(const MapErrorKnots& knots, const std::vector<KnotPlace>& pla
                                   SecondsBetween(times.Time(a), times.Time(b)));
 }
 
+bool Same(const SparseConditional& a, const SparseConditional& b) {
+  return a.given == b.given && a.weights == b.weights && a.variance == b.variance;
+}
+
+void Condition(std::size_t knot, const SparseConditional& conditional, MapErrorKnots* knots,
+               FactorGraph* graph) {
+  if (Same(conditional, knots->conditionals[knot])) return;
+  const BlockKind kind = graph->block(knots->state.blocks[knot]).id.kind;
+  graph->ReplaceFactor(knots->factors[knot],
+                       MakeMapErrorFactor(*knots, static_cast<int>(knot), conditional, kind));
+  knots->conditionals[knot] = conditional;
+}
+
 // Chooses one after the other the variables that tell most of one of unit variance.
 class NeighbourSearch {
  public:
@@ -172,12 +185,13 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
             {walk->graph.AddBlock({kind, 0}, begin_ns, zero, true)}};
   }
   const Knots times(begin_ns, walk->node_ns.back(), settings.knot_s);
-  MapErrorKnots knots{{times, {}}, {}, {sigma_m, settings.correlation_m, settings.correlation_s}};
+  const MapErrorKernel kernel{sigma_m, settings.correlation_m, settings.correlation_s};
+  MapErrorKnots knots{{times, {}}, {}, kernel, {}, {}};
   for (int k = 0; k < times.count(); ++k) {
     knots.state.blocks.push_back(walk->graph.AddBlock({kind, k}, times.Time(k), zero));
   }
   for (int k = 0; k < times.count(); ++k) {
-    SparseConditional conditional;
+    SparseConditional& conditional = knots.as_walked.emplace_back();
     if (k > 0 && walk->floors.At(times.Time(k - 1)) == walk->floors.At(times.Time(k))) {
       const double rho =
           knots.kernel.Correlation(Interpolate(walk->walked_m, times.Time(k)) -
@@ -187,8 +201,29 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
     }
     knots.factors.push_back(walk->graph.AddFactor(MakeMapErrorFactor(knots, k, conditional, kind)));
   }
+  knots.conditionals = knots.as_walked;
   walk->map_errors.push_back(knots);
   return knots.state;
+}
+
+MapErrorConditionals Conditionals(const WalkGraph& walk) {
+  MapErrorConditionals all;
+  for (const MapErrorKnots& knots : walk.map_errors) all.push_back(knots.conditionals);
+  return all;
+}
+
+MapErrorConditionals ConditionalsAsWalked(const WalkGraph& walk) {
+  MapErrorConditionals all;
+  for (const MapErrorKnots& knots : walk.map_errors) all.push_back(knots.as_walked);
+  return all;
+}
+
+void SetConditionals(const MapErrorConditionals& conditionals, WalkGraph* walk) {
+  for (std::size_t map = 0; map < walk->map_errors.size(); ++map) {
+    for (std::size_t k = 0; k < conditionals[map].size(); ++k) {
+      Condition(k, conditionals[map][k], &walk->map_errors[map], &walk->graph);
+    }
+  }
 }
 
 void ConditionOnPlaces(WalkGraph* walk) {
@@ -198,19 +233,16 @@ void ConditionOnPlaces(WalkGraph* walk) {
 
 void ConditionNewOnPlaces(TimeNs now_ns, const std::function<bool(int)>& is_new,
                           const std::function<bool(int)>& is_known, WalkGraph* walk) {
-  for (const MapErrorKnots& knots : walk->map_errors) {
+  for (MapErrorKnots& knots : walk->map_errors) {
     const std::vector<int>& blocks = knots.state.blocks;
-    const BlockKind kind = walk->graph.block(blocks.front()).id.kind;
     const std::vector<KnotPlace> places = KnotPlaces(knots, *walk, now_ns);
     const auto correlation = [&](int a, int b) {
       return is_known(blocks[static_cast<std::size_t>(a)]) ? Correlation(knots, places, a, b) : 0.0;
     };
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (!is_new(blocks[k])) continue;
-      const int knot = static_cast<int>(k);
-      walk->graph.ReplaceFactor(
-          knots.factors[k],
-          MakeMapErrorFactor(knots, knot, ConditionOnEarlier(knot, correlation, kMostGiven), kind));
+      Condition(k, ConditionOnEarlier(static_cast<int>(k), correlation, kMostGiven), &knots,
+                &walk->graph);
     }
   }
 }

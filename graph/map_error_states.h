@@ -23,6 +23,14 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
 // different floors are independent, as their maps are.
 void ConditionOnPlaces(WalkGraph* walk);
 
+// What every knot of every map's error is conditioned on.
+using MapErrorConditionals = std::vector<std::vector<SparseConditional>>;
+MapErrorConditionals Conditionals(const WalkGraph& walk);
+// As before anybody knew where the walk went.
+MapErrorConditionals ConditionalsAsWalked(const WalkGraph& walk);
+// Takes the walk's graph (back) to these. Those that it has already cost nothing.
+void SetConditionals(const MapErrorConditionals& conditionals, WalkGraph* walk);
+
 // The same for the knots of a walk under way: those that `is_new` names among the graph's blocks
 // are conditioned on those that `is_known` names, by the nodes until `now_ns`.
 void ConditionNewOnPlaces(TimeNs now_ns, const std::function<bool(int)>& is_new,
@@ -36,13 +44,6 @@ struct KnotPlace {
 
 // By the graph's values, of the knots that began until `now_ns`, each by its nodes until then.
 std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& walk, TimeNs now_ns);
-
-// A standardised Gaussian variable given others: x = weights^T x_given + N(0, variance).
-struct SparseConditional {
-  std::vector<int> given;
-  Eigen::VectorXd weights;
-  double variance = 1;
-};
 
 // Variable `index` given at most `most` of those before it, chosen one after the other by how much
 // of the variance they take (Vecchia's approximation with the neighbours that matter). Stops where

@@ -21,11 +21,20 @@ namespace walkgraph {
 // Type of the factor that stands for ignorance of where the walk begins.
 inline constexpr std::string_view kPositionPriorType = "position_prior";
 
+// A standardised Gaussian variable given others: x = weights^T x_given + N(0, variance).
+struct SparseConditional {
+  std::vector<int> given;
+  Eigen::VectorXd weights;
+  double variance = 1;
+};
+
 // The error of one map in a walk's graph.
 struct MapErrorKnots {
   KnotBlocks state;
   std::vector<int> factors;  // of each knot given others
   MapErrorKernel kernel;
+  std::vector<SparseConditional> as_walked;     // what each knot was first conditioned on
+  std::vector<SparseConditional> conditionals;  // what it is now, as its factor says
 };
 
 // The factor graph of one walk whose floors are known: every node, slow state and factor that the

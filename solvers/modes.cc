@@ -114,6 +114,21 @@ GraphPart HeightPart(const WalkGraph& walk, const GraphPart& part) {
   return heights;
 }
 
+// Where the errors of maps have yet to be conditioned on the places of a mode, its first solve only
+// says which mode that is: it may end at ten times the tolerance.
+SolverSettings FirstSolve(const SolverSettings& settings, const WalkGraph& walk) {
+  SolverSettings first = settings;
+  if (!walk.map_errors.empty()) first.function_tolerance *= 10;
+  return first;
+}
+
+// Drops modes that no refinement brings back. It moves them against each other by some nats, a
+// dozen at most among those within thirty of the best (38 walks of a museum, 2026-11-27).
+void DropHopeless(double mode_limit_nats, std::vector<Mode>* modes) {
+  const double limit = modes->front().negative_log_mass + 4 * mode_limit_nats;
+  std::erase_if(*modes, [limit](const Mode& mode) { return mode.negative_log_mass > limit; });
+}
+
 std::vector<bool> BlocksOfKind(const WalkGraph& walk, const VariableIndex& index, BlockKind kind) {
   std::vector<bool> is_of_kind;
   for (int v = 0; v < index.size(); ++v) {
@@ -192,23 +207,31 @@ Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
   if (!SolveGraduated(placed ? part : HeightPart(*walk, part), settings, &walk->graph).ok) {
     ++*failed_solves;
   }
-  return {start.source, walk->graph.values(), NegativeLogDensity(walk->graph, part), 0, {}, false};
+  return {start.source,
+          walk->graph.values(),
+          NegativeLogDensity(walk->graph, part),
+          0,
+          {},
+          Conditionals(*walk),
+          {}};
 }
 
 void GoTo(const Mode& mode, WalkGraph* walk) {
   walk->graph.SetValues(mode.values);
-  if (mode.on_places) ConditionOnPlaces(walk);
+  SetConditionals(mode.conditionals, walk);
 }
 
-Mode RefineOnPlaces(Mode mode, const GraphPart& part, const SolverSettings& settings,
+Mode RefineOnPlaces(Mode mode, const GraphPart& part, TimeNs now_ns, const SolverSettings& settings,
                     WalkGraph* walk, int* failed_solves) {
-  mode.on_places = true;
-  for (int round = 0; round < 2; ++round) {
-    GoTo(mode, walk);
-    if (!SolveGraduated(part, settings, &walk->graph).ok) ++*failed_solves;
-    mode.values = walk->graph.values();
-  }
+  const auto all = [](int) { return true; };
   GoTo(mode, walk);
+  ConditionNewOnPlaces(now_ns, all, all, walk);
+  for (int round = 0; round < 2; ++round) {
+    if (!SolveGraduated(part, settings, &walk->graph).ok) ++*failed_solves;
+    ConditionNewOnPlaces(now_ns, all, all, walk);
+  }
+  mode.values = walk->graph.values();
+  mode.conditionals = Conditionals(*walk);
   mode.negative_log_density = NegativeLogDensity(walk->graph, part);
   return mode;
 }
@@ -220,11 +243,14 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
   });
   std::vector<Mode> distinct;
   for (Mode& mode : *modes) {
-    const bool repeated = std::any_of(distinct.begin(), distinct.end(), [&](const Mode& other) {
-      return SamePath(walk->graph, part, mode.values, other.values, other.uncertainty,
+    const auto other = std::find_if(distinct.begin(), distinct.end(), [&](const Mode& denser) {
+      return SamePath(walk->graph, part, mode.values, denser.values, denser.uncertainty,
                       settings.distinct_m);
     });
-    if (repeated) continue;
+    if (other != distinct.end()) {
+      other->starts.insert(other->starts.end(), mode.starts.begin(), mode.starts.end());
+      continue;
+    }
     GoTo(mode, walk);
     mode.uncertainty = ComputeUncertainty(*walk, part, settings.map_error_test);
     mode.negative_log_mass = NegativeLogModeMass(
@@ -235,6 +261,25 @@ void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph*
     return a.negative_log_mass < b.negative_log_mass;
   });
   *modes = std::move(distinct);
+}
+
+std::vector<Mode> FindModes(const std::vector<InitialTrajectory>& starts, const GraphPart& part,
+                            TimeNs now_ns, const SolverSettings& settings, WalkGraph* walk,
+                            int* failed_solves) {
+  std::vector<Mode> modes;
+  SetConditionals(ConditionalsAsWalked(*walk), walk);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    modes.push_back(SolveFrom(starts[i], part, FirstSolve(settings, *walk), walk, failed_solves));
+    modes.back().starts = {i};
+  }
+  RankModes(settings, part, walk, &modes);
+  if (walk->map_errors.empty()) return modes;
+  DropHopeless(settings.mode_limit_nats, &modes);
+  for (Mode& mode : modes) {
+    mode = RefineOnPlaces(std::move(mode), part, now_ns, settings, walk, failed_solves);
+  }
+  RankModes(settings, part, walk, &modes);
+  return modes;
 }
 
 Trajectory MixModes(const WalkGraph& walk, const std::vector<Mode>& modes, double mode_limit_nats) {

@@ -2,11 +2,14 @@
 #define WALKGRAPH_SOLVERS_MODES_H_
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "data/time.h"
 #include "graph/graph_part.h"
+#include "graph/map_error_states.h"
 #include "graph/walk_graph.h"
 #include "solvers/estimator.h"
 #include "solvers/initial_trajectory.h"
@@ -40,7 +43,8 @@ struct Mode {
   double negative_log_density = 0;
   double negative_log_mass = 0;  // see NegativeLogModeMass
   PointUncertainty uncertainty;
-  bool on_places = false;  // see RefineOnPlaces
+  MapErrorConditionals conditionals;  // of the maps' errors there
+  std::vector<std::size_t> starts;    // indices of those that led to it, where FindModes found it
 };
 
 // Whether a point of the state space explains the walk as a mode does, `values` with `uncertainty`:
@@ -55,7 +59,8 @@ bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::Vect
 std::vector<double> MixtureWeights(const std::vector<double>& negative_log_masses);
 
 // Drops modes whose positions are those of a denser one (within `distinct_m`, RMS over the
-// part's nodes), adds mass and covariance to the rest, and sorts them by mass, best first.
+// part's nodes), which takes over their starts, adds mass and covariance to the rest, and sorts
+// them by mass, best first.
 void RankModes(const SolverSettings& settings, const GraphPart& part, WalkGraph* walk,
                std::vector<Mode>* modes);
 
@@ -71,10 +76,16 @@ Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,
 // Takes the graph to a mode: its values, and the errors of maps conditioned as it has them.
 void GoTo(const Mode& mode, WalkGraph* walk);
 
-// A mode of a whole walk moved to where it is when the maps' errors belong to the places that it
-// passes (see ConditionOnPlaces): twice, for they change with it. Without its mass.
-Mode RefineOnPlaces(Mode mode, const GraphPart& part, const SolverSettings& settings,
+// A mode moved to where it is when the maps' errors belong to the places that it passed until
+// `now_ns` (see ConditionOnPlaces): twice, for they change with it. Without its mass.
+Mode RefineOnPlaces(Mode mode, const GraphPart& part, TimeNs now_ns, const SolverSettings& settings,
                     WalkGraph* walk, int* failed_solves);
+
+// The modes that the starts lead to, best first, with the maps' errors on the places that each
+// passed until `now_ns`. `part` is all of the walk's graph that is known by then.
+std::vector<Mode> FindModes(const std::vector<InitialTrajectory>& starts, const GraphPart& part,
+                            TimeNs now_ns, const SolverSettings& settings, WalkGraph* walk,
+                            int* failed_solves);
 
 // Slow states of a mode at their knots, constant ones left out. The barometric offset a second time
 // in hPa: what this barometer shows at height zero, less the standard atmosphere's pressure.

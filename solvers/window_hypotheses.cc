@@ -12,13 +12,14 @@ namespace walkgraph {
 namespace {
 
 void Weigh(const SolverSettings& solver, WalkGraph* walk, WindowHypothesis* hypothesis) {
-  walk->graph.SetValues(hypothesis->values);
+  GoTo(*hypothesis, walk);
   const GraphPart& part = hypothesis->window.part();
   hypothesis->uncertainty = ComputeUncertainty(*walk, part, solver.map_error_test);
   hypothesis->negative_log_mass = NegativeLogModeMass(NegativeLogDensity(walk->graph, part),
                                                       hypothesis->uncertainty.log_det_hessian,
                                                       hypothesis->uncertainty.variables) +
-                                  0.5 * hypothesis->window.left_log_determinant();
+                                  0.5 * hypothesis->window.left_log_determinant() +
+                                  hypothesis->forgotten_nats;
 }
 
 void DropRepeated(const FactorGraph& graph, double distinct_m,
@@ -36,6 +37,11 @@ void DropRepeated(const FactorGraph& graph, double distinct_m,
 }
 
 }  // namespace
+
+void GoTo(const WindowHypothesis& hypothesis, WalkGraph* walk) {
+  walk->graph.SetValues(hypothesis.values);
+  SetConditionals(hypothesis.conditionals, walk);
+}
 
 void WeighHypotheses(const SolverSettings& solver, double limit_nats, WalkGraph* walk,
                      std::vector<WindowHypothesis>* hypotheses) {

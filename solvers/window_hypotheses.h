@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "graph/map_error_states.h"
 #include "graph/sliding_window.h"
 #include "graph/walk_graph.h"
 #include "solvers/modes.h"
@@ -15,11 +16,17 @@ namespace walkgraph {
 // another mode, and with what left marginalised there.
 struct WindowHypothesis {
   SlidingWindow window;
-  Eigen::VectorXd values;  // of the graph
+  Eigen::VectorXd values;             // of the graph
+  MapErrorConditionals conditionals;  // of the maps' errors, by where this one went
+  bool taken_up = false;              // from elsewhere, and not yet the best
+  double forgotten_nats = 0;          // of its mass, by what it does not hold itself
   // As last weighed:
   PointUncertainty uncertainty;  // of the window's part
   double negative_log_mass = 0;  // of all that was ever in the window
 };
+
+// Takes the graph to a hypothesis: its values, and the maps' errors conditioned as it has them.
+void GoTo(const WindowHypothesis& hypothesis, WalkGraph* walk);
 
 // Ranks hypotheses of a walk by the posterior mass about them, best first, and drops those that are
 // more than `limit_nats` worse than the best or have come to a better one's path. Leaves the graph

@@ -12,18 +12,8 @@
 namespace walkgraph {
 namespace {
 
-// The mode that explains the walk as `values` do; the last where none does.
-const Mode& ModeAt(const WalkGraph& walk, const std::vector<Mode>& modes,
-                   const Eigen::VectorXd& values, double distinct_m) {
-  const GraphPart whole = WholeGraph(walk.graph);
-  const auto found = std::find_if(modes.begin(), modes.end(), [&](const Mode& mode) {
-    return SamePath(walk.graph, whole, values, mode.values, mode.uncertainty, distinct_m);
-  });
-  return found == modes.end() ? modes.back() : *found;
-}
-
-// The recovery's block that says at `time_ns` what a window's block says: of a node or knot the
-// last one until then. -1 where the recovery has none.
+// The stretch's block that says at `time_ns` what a window's block says: of a node or knot the
+// last one until then. -1 where the stretch has none.
 int Counterpart(const FactorGraph& graph, const BlockId& id, TimeNs time_ns) {
   int counterpart = -1;
   for (std::size_t b = 0; b < graph.blocks().size(); ++b) {
@@ -37,31 +27,33 @@ int Counterpart(const FactorGraph& graph, const BlockId& id, TimeNs time_ns) {
 
 }  // namespace
 
-std::optional<Recovery> FindLostTrack(const Site& site, const Evidence& recent,
-                                      const FactorSettings& factors, const SolverSettings& solver,
-                                      const Trajectory& track, double margin_nats,
-                                      const FloorPath& floors) {
-  WalkGraph walk = BuildWalkGraph(site, recent, factors, floors);
+std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
+                                     const FactorSettings& factors, const SolverSettings& solver,
+                                     const std::vector<Trajectory>& tracks,
+                                     const FloorPath& floors) {
+  Stretch stretch{BuildWalkGraph(site, recent, factors, floors), {}, {}};
+  WalkGraph& walk = stretch.walk;
   if (!walk.first_absolute_position_ns) return std::nullopt;
-  const GraphPart whole = WholeGraph(walk.graph);
-  int failed_solves = 0;
-  std::vector<Mode> modes{SolveFrom({"track", track}, whole, solver, &walk, &failed_solves)};
-  const Eigen::VectorXd track_values = modes.front().values;
-  for (const InitialTrajectory& start :
-       ProposeTrajectories(site, recent, factors, solver, floors)) {
-    modes.push_back(SolveFrom(start, whole, solver, &walk, &failed_solves));
+  std::vector<InitialTrajectory> starts;
+  for (const Trajectory& track : tracks) starts.push_back({"track", track});
+  for (InitialTrajectory& start : ProposeTrajectories(site, recent, factors, solver, floors)) {
+    starts.push_back(std::move(start));
   }
-  RankModes(solver, whole, &walk, &modes);
-  const Mode& held = ModeAt(walk, modes, track_values, solver.distinct_m);
-  const Mode& best = modes.front();
-  if (!(best.negative_log_mass + margin_nats < held.negative_log_mass)) return std::nullopt;
-  Mode mode = std::move(modes.front());
-  return Recovery{std::move(walk), std::move(mode)};
+  int failed_solves = 0;
+  stretch.modes =
+      FindModes(starts, WholeGraph(walk.graph), walk.node_ns.back(), solver, &walk, &failed_solves);
+  stretch.of_track.assign(tracks.size(), -1);
+  for (std::size_t m = 0; m < stretch.modes.size(); ++m) {
+    for (const std::size_t start : stretch.modes[m].starts) {
+      if (start < tracks.size()) stretch.of_track[start] = static_cast<int>(m);
+    }
+  }
+  return stretch;
 }
 
-void MoveTo(const Recovery& recovery, const FactorGraph& graph, const std::vector<int>& blocks,
-            Eigen::VectorXd* values) {
-  const Trajectory trajectory = MixModes(recovery.walk, {recovery.mode}, 0);
+void MoveTo(const WalkGraph& stretch, const Mode& mode, const FactorGraph& graph,
+            const std::vector<int>& blocks, Eigen::VectorXd* values) {
+  const Trajectory trajectory = MixModes(stretch, {mode}, 0);
   for (const int b : blocks) {
     const StateBlock& block = graph.block(b);
     if (block.constant) continue;
@@ -72,14 +64,13 @@ void MoveTo(const Recovery& recovery, const FactorGraph& graph, const std::vecto
       value[0] = trajectory.At(block.time_ns).heading_rad;
     } else if (block.id.kind == BlockKind::kHeight) {
       value[0] = trajectory.At(block.time_ns).position_m.z();
-    } else if (const int other = Counterpart(recovery.walk.graph, block.id, block.time_ns);
-               other >= 0) {
-      value = recovery.mode.values.segment(recovery.walk.graph.block(other).offset, block.size());
+    } else if (const int other = Counterpart(stretch.graph, block.id, block.time_ns); other >= 0) {
+      value = mode.values.segment(stretch.graph.block(other).offset, block.size());
     }
   }
 }
 
-LinearPrior PriorFrom(const Recovery& recovery, const FactorGraph& graph,
+LinearPrior PriorFrom(const WalkGraph& stretch, const Mode& mode, const FactorGraph& graph,
                       const std::vector<int>& blocks, const Eigen::VectorXd& values) {
   LinearPrior prior;
   std::vector<double> information;  // square root, by row
@@ -97,10 +88,10 @@ LinearPrior PriorFrom(const Recovery& recovery, const FactorGraph& graph,
     const int radio = block.id.kind == BlockKind::kRssiOffset ? block.id.index : 0;
     const bool first = seen.insert({block.id.kind, radio}).second;
     if (block.constant || !(first || block.time_ns < first_node_ns)) continue;
-    const int other = Counterpart(recovery.walk.graph, block.id, block.time_ns);
+    const int other = Counterpart(stretch.graph, block.id, block.time_ns);
     if (other < 0) continue;
     const Eigen::MatrixXd& covariance =
-        recovery.mode.uncertainty.covariance[static_cast<std::size_t>(other)];
+        mode.uncertainty.covariance[static_cast<std::size_t>(other)];
     const double sigma = std::sqrt(covariance.diagonal().maxCoeff());
     if (!std::isfinite(sigma) || sigma <= 0) continue;
     prior.blocks.push_back(b);

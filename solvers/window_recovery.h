@@ -16,32 +16,32 @@
 
 namespace walkgraph {
 
-// What the whole-walk smoother makes of a stretch of a walk.
-struct Recovery {
-  WalkGraph walk;  // of that stretch alone
-  Mode mode;
+// A stretch of a walk as the whole-walk smoother has it.
+struct Stretch {
+  WalkGraph walk;             // of that stretch alone
+  std::vector<Mode> modes;    // best first
+  std::vector<int> of_track;  // by track, the mode that it is in; -1: in none worth refining
 };
 
-// Holds the track that a window followed against the whole-walk smoother on the recent evidence:
-// the smoother sees the whole floor, the window the neighbourhood of its own modes. Both are solved
-// on the same graph, the track as one more start; the track is lost where the best mode is another
-// and better by `margin_nats` of posterior mass. None: the track stands, or there is nothing to
-// compare. `track` holds positions and headings over the recent evidence.
-std::optional<Recovery> FindLostTrack(const Site& site, const Evidence& recent,
-                                      const FactorSettings& factors, const SolverSettings& solver,
-                                      const Trajectory& track, double margin_nats,
-                                      const FloorPath& floors);
+// What the whole-walk smoother makes of the recent evidence: it sees the whole floor, a window the
+// neighbourhood of its own modes. The tracks that the window follows, which hold positions and
+// headings over that time, are starts like any other, so that they are held against the rest on one
+// graph. None where the evidence knows no place.
+std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
+                                     const FactorSettings& factors, const SolverSettings& solver,
+                                     const std::vector<Trajectory>& tracks,
+                                     const FloorPath& floors);
 
-// Moves blocks of a window to a recovery: nodes to its trajectory, slow states to its own that hold
-// at their time. `blocks` are the window's, `values` those of its graph.
-void MoveTo(const Recovery& recovery, const FactorGraph& graph, const std::vector<int>& blocks,
-            Eigen::VectorXd* values);
+// Moves blocks of a window to a mode of a stretch: nodes to its trajectory, slow states to its own
+// that hold at their time. `values` are those of the window's graph.
+void MoveTo(const WalkGraph& stretch, const Mode& mode, const FactorGraph& graph,
+            const std::vector<int>& blocks, Eigen::VectorXd* values);
 
 // What stands for all that the window has forgotten: the first node, the first knot of every
-// slow state and all from before the first node, each alone, with twice the recovery's sigma,
-// because the window's own evidence took part in that. Precondition: MoveTo(recovery, graph,
-// blocks, values).
-LinearPrior PriorFrom(const Recovery& recovery, const FactorGraph& graph,
+// slow state and all from before the first node, each alone, with twice the mode's sigma, because
+// the window's own evidence took part in that. `blocks` are the window's. Precondition:
+// MoveTo(stretch, mode, graph, blocks, values).
+LinearPrior PriorFrom(const WalkGraph& stretch, const Mode& mode, const FactorGraph& graph,
                       const std::vector<int>& blocks, const Eigen::VectorXd& values);
 
 }  // namespace walkgraph

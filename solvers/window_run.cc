@@ -5,16 +5,12 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "graph/graph_part.h"
 #include "graph/innovations.h"
 #include "graph/map_error_states.h"
-#include "solvers/evidence_order.h"
 #include "solvers/graph_solver.h"
-#include "solvers/initial_trajectory.h"
-#include "solvers/window_recovery.h"
 
 namespace walkgraph {
 
@@ -29,7 +25,8 @@ WindowRun::WindowRun(const Site& site, const Evidence& evidence, const FactorSet
       walk_(BuildWalkGraph(site, evidence, factors, floors)),
       dead_reckoning_(DeadReckon(site, evidence, factors)) {
   const FactorGraph& graph = walk_.graph;
-  hypotheses_.push_back({SlidingWindow(&walk_.graph), graph.values(), {}, 0});
+  hypotheses_.push_back(
+      {SlidingWindow(&walk_.graph), graph.values(), Conditionals(walk_), false, 0, {}, 0});
   waiting_.resize(graph.factors().size());
   std::iota(waiting_.begin(), waiting_.end(), 0);
   std::stable_sort(waiting_.begin(), waiting_.end(), [&graph](int a, int b) {
@@ -51,6 +48,7 @@ WindowRun::WindowRun(const Site& site, const Evidence& evidence, const FactorSet
 
 void WindowRun::Play() {
   for (std::size_t node = 0; node < walk_.node_ns.size(); ++node) Arrive(node);
+  reported_.conditionals = hypotheses_.front().conditionals;
   if (settings_.report_newest) return;
   Weigh();
   Report(window().part().blocks);
@@ -60,13 +58,13 @@ void WindowRun::Arrive(std::size_t node) {
   const TimeNs now_ns = walk_.node_ns[node];
   const std::vector<int> slow_blocks = TakeSlowBlocks(now_ns);
   for (WindowHypothesis& hypothesis : hypotheses_) {
-    walk_.graph.SetValues(hypothesis.values);
+    GoTo(hypothesis, &walk_);
     PredictNode(node, slow_blocks);
     hypothesis.values = walk_.graph.values();
     for (const int block : slow_blocks) hypothesis.window.AddBlock(block);
     for (const int block : NodeBlocks(walk_, node)) hypothesis.window.AddBlock(block);
+    ConditionMapErrors(now_ns, slow_blocks, &hypothesis);
   }
-  ConditionMapErrors(now_ns, slow_blocks);
   const bool last = node + 1 == walk_.node_ns.size();
   const std::vector<int> joined = AddReadyFactors(now_ns, last);
   if (settings_.innovations && marginalized_) JudgeReadings(joined);
@@ -77,8 +75,12 @@ void WindowRun::Arrive(std::size_t node) {
   } else if (has_evidence_) {
     for (WindowHypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
-  if (marginalized_) RecoverIfLost(node);
-  if (full && has_evidence_ && !located_) located_ = IsLocated();
+  if (marginalized_ && CheckIsDue(node)) CheckTracks(node);
+  if (full && has_evidence_ && !located_) {
+    located_ = IsLocated();
+    if (!full_ns_) full_ns_ = now_ns;
+    waited_s_ = SecondsBetween(*full_ns_, now_ns);
+  }
   const bool leaves = located_ && first_kept > oldest_;
   if (settings_.report_newest || leaves) Weigh();
   if (settings_.report_newest) Report(NodeBlocks(walk_, node));
@@ -90,7 +92,7 @@ void WindowRun::Marginalize(std::size_t first_kept) {
   if (!settings_.report_newest) Report(leaving);
   std::vector<WindowHypothesis> kept;
   for (WindowHypothesis& hypothesis : hypotheses_) {
-    walk_.graph.SetValues(hypothesis.values);
+    GoTo(hypothesis, &walk_);
     if (hypothesis.window.Marginalize(leaving)) {
       kept.push_back(std::move(hypothesis));
     } else {
@@ -105,7 +107,7 @@ void WindowRun::Marginalize(std::size_t first_kept) {
 }
 
 void WindowRun::Solve(WindowHypothesis* hypothesis) {
-  walk_.graph.SetValues(hypothesis->values);
+  GoTo(*hypothesis, &walk_);
   if (!SolveGraph(hypothesis->window.part(), solver_, &walk_.graph).ok) {
     ++failed_solves_;
     return;
@@ -150,16 +152,18 @@ void WindowRun::PredictNode(std::size_t node, const std::vector<int>& new_slow_b
   }
 }
 
-// The errors of maps among `blocks`, given earlier ones that the window has, by where the best
-// hypothesis passed them.
-void WindowRun::ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks) {
+// The errors of maps among `blocks`, given earlier ones that the window has, by where the
+// hypothesis, at whose values the graph is, passed them.
+void WindowRun::ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks,
+                                   WindowHypothesis* hypothesis) {
   if (blocks.empty()) return;
-  walk_.graph.SetValues(hypotheses_.front().values);
   const auto is_new = [&blocks](int block) {
     return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
   };
+  const SlidingWindow& window = hypothesis->window;
   ConditionNewOnPlaces(
-      now_ns, is_new, [this](int block) { return window().IsActive(block); }, &walk_);
+      now_ns, is_new, [&window](int block) { return window.IsActive(block); }, &walk_);
+  hypothesis->conditionals = Conditionals(walk_);
 }
 
 // Returns those that now take part.
@@ -200,109 +204,16 @@ void WindowRun::JudgeReadings(const std::vector<int>& joined) {
   std::erase_if(expected.factors, [&readings](int factor) {
     return std::find(readings.begin(), readings.end(), factor) != readings.end();
   });
-  walk_.graph.SetValues(hypotheses_.front().values);
+  GoTo(hypotheses_.front(), &walk_);
   if (!SolveGraph(expected, solver_, &walk_.graph).ok) return;
   const std::vector<FactorFit> found = ComputeInnovations(walk_.graph, expected, readings);
   innovations_.insert(innovations_.end(), found.begin(), found.end());
 }
 
-// Proposals are made with the first evidence of a place, just before the first node would leave
-// (the window is full), and from then on whenever the window has grown by half, until the walk is
-// located.
-bool WindowRun::StartIsDue(TimeNs now_ns, bool full) const {
-  if (!started_ns_) return true;
-  if (!full) return false;
-  const TimeNs begin_ns = walk_.node_ns.front();
-  return !started_full_ || now_ns - begin_ns >= (*started_ns_ - begin_ns) * 3 / 2;
-}
-
-// Starts anew from what the window's own evidence proposes. Only while nothing has left it. Every
-// mode worth following becomes a hypothesis once the window is full, before that the best alone.
-void WindowRun::Restart(std::size_t node, bool full) {
-  const TimeNs now_ns = walk_.node_ns[node];
-  const Evidence seen = EvidenceUntil(evidence_, now_ns);
-  const SlidingWindow start_window = window();
-  std::vector<Mode> modes;
-  for (const InitialTrajectory& start :
-       ProposeTrajectories(site_, seen, factors_, solver_, walk_.floors)) {
-    modes.push_back(SolveFrom(start, start_window.part(), solver_, &walk_, &failed_solves_));
-  }
-  RankModes(solver_, start_window.part(), &walk_, &modes);
-  started_ns_ = now_ns;
-  started_full_ = full;
-  const int most = full ? std::max(1, settings_.hypotheses) : 1;
-  hypotheses_.clear();
-  for (Mode& mode : modes) {
-    if (static_cast<int>(hypotheses_.size()) == most) break;
-    if (!hypotheses_.empty() &&
-        !(mode.negative_log_mass <= modes.front().negative_log_mass + settings_.hypothesis_nats)) {
-      break;
-    }
-    hypotheses_.push_back({start_window, std::move(mode.values), std::move(mode.uncertainty),
-                           mode.negative_log_mass});
-  }
-  if (walk_.map_errors.empty()) return;
-  ConditionMapErrors(now_ns, start_window.part().blocks);
-  for (WindowHypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
-}
-
-// Whether the oldest node, the first to leave, is known: to the configured sigma, and with less
-// between the hypotheses than within the best.
-bool WindowRun::IsLocated() {
-  Weigh();
-  const int position = walk_.position[oldest_];
-  const double variance = MixtureCovariance(walk_.graph, hypotheses_, position).trace();
-  const double within =
-      hypotheses_.front().uncertainty.covariance[static_cast<std::size_t>(position)].trace();
-  return variance < settings_.located_sigma_m * settings_.located_sigma_m && variance < 2 * within;
-}
-
-// Once every window length the track is held against what the whole-walk smoother makes of the last
-// three. Where it is lost the window starts anew from that: its evidence stays, what left it is
-// forgotten.
-void WindowRun::RecoverIfLost(std::size_t node) {
-  const TimeNs now_ns = walk_.node_ns[node];
-  if (!checked_ns_) checked_ns_ = now_ns;
-  const TimeNs length_ns = now_ns - walk_.node_ns[oldest_];
-  if (length_ns <= 0 || now_ns - *checked_ns_ < length_ns) return;
-  checked_ns_ = now_ns;
-  const TimeNs since_ns = now_ns - 3 * length_ns;
-  // What speaks for the track from before that is not known, but bounded: other hypotheses were
-  // dropped when they were this much worse.
-  const double margin_nats = since_ns <= walk_.node_ns.front() ? 0.0 : settings_.hypothesis_nats;
-  const std::optional<Recovery> recovery =
-      FindLostTrack(site_, EvidenceSince(EvidenceUntil(evidence_, now_ns), since_ns), factors_,
-                    solver_, Track(since_ns, node), margin_nats, walk_.floors);
-  if (!recovery) return;
-  ++recoveries_;
-  WindowHypothesis fresh = std::move(hypotheses_.front());
-  const std::vector<int>& blocks = fresh.window.part().blocks;
-  MoveTo(*recovery, walk_.graph, blocks, &fresh.values);
-  fresh.window.ReplacePriors(PriorFrom(*recovery, walk_.graph, blocks, fresh.values));
-  hypotheses_.clear();
-  hypotheses_.push_back(std::move(fresh));
-  Solve(&hypotheses_.front());
-}
-
-// Where the walk went since a time: as reported, and for nodes in the window as the best hypothesis
-// has it.
-Trajectory WindowRun::Track(TimeNs since_ns, std::size_t newest) const {
-  Trajectory track;
-  for (std::size_t node = 0; node <= newest; ++node) {
-    if (walk_.node_ns[node] < since_ns) continue;
-    const Eigen::VectorXd& values = node < oldest_ ? reported_.values : hypotheses_.front().values;
-    PoseEstimate pose;
-    pose.time_ns = walk_.node_ns[node];
-    pose.floor = walk_.floors.At(pose.time_ns);
-    pose.position_m.head<2>() = values.segment<2>(walk_.graph.block(walk_.position[node]).offset);
-    pose.heading_rad = values[walk_.graph.block(walk_.heading[node]).offset];
-    track.poses.push_back(pose);
-  }
-  return track;
-}
-
 void WindowRun::Weigh() {
   WeighHypotheses(solver_, settings_.hypothesis_nats, &walk_, &hypotheses_);
+  if (hypotheses_.front().taken_up) ++recoveries_;
+  hypotheses_.front().taken_up = false;
 }
 
 // The first node that stays once `newest` has come.

@@ -17,6 +17,7 @@
 #include "solvers/modes.h"
 #include "solvers/settings.h"
 #include "solvers/window_hypotheses.h"
+#include "solvers/window_recovery.h"
 
 namespace walkgraph {
 
@@ -35,6 +36,8 @@ class WindowRun {
   const Mode& reported() const { return reported_; }
   int failed_solves() const { return failed_solves_; }
   int dropped_late() const { return dropped_late_; }
+  // How long the window was full, but the walk not yet located, s.
+  double waited_s() const { return waited_s_; }
   // How often the track was lost and taken up elsewhere.
   int recoveries() const { return recoveries_; }
   // Of the readings since the first node left, where the settings ask for them.
@@ -44,7 +47,8 @@ class WindowRun {
   void Arrive(std::size_t node);
   void PredictNode(std::size_t node, const std::vector<int>& new_slow_blocks);
   std::vector<int> TakeSlowBlocks(TimeNs now_ns);
-  void ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks);
+  void ConditionMapErrors(TimeNs now_ns, const std::vector<int>& blocks,
+                          WindowHypothesis* hypothesis);
   std::vector<int> AddReadyFactors(TimeNs now_ns, bool last);
   void JudgeReadings(const std::vector<int>& joined);
   void Solve(WindowHypothesis* hypothesis);
@@ -52,8 +56,14 @@ class WindowRun {
   void Restart(std::size_t node, bool full);
   void Weigh();
   bool IsLocated();
-  void RecoverIfLost(std::size_t node);
-  Trajectory Track(TimeNs since_ns, std::size_t newest) const;
+  bool CheckIsDue(std::size_t node) const;
+  void CheckTracks(std::size_t node);
+  void TakeUpOthers(const Stretch& stretch, double margin_nats, std::size_t newest);
+  WindowHypothesis TakeUp(const Stretch& stretch, const Mode& mode, std::size_t newest,
+                          double negative_log_mass);
+  std::vector<int> LeftNodeBlocks(TimeNs since_ns) const;
+  std::vector<Trajectory> Tracks(TimeNs since_ns, std::size_t newest) const;
+  Evidence Seen(std::size_t newest) const;
   void Marginalize(std::size_t first_kept);
   std::vector<int> LeavingBlocks(std::size_t first_kept) const;
   std::size_t FirstKeptNode(std::size_t newest) const;
@@ -77,7 +87,9 @@ class WindowRun {
   bool located_ = false;  // the last proposals agreed on a place: nodes may leave
   bool marginalized_ = false;
   Mode reported_;
-  std::optional<TimeNs> checked_ns_;  // when the track was last checked
+  std::optional<TimeNs> checked_ns_;  // when the tracks were last checked
+  std::optional<TimeNs> full_ns_;     // when the first node could have left
+  double waited_s_ = 0;
   int recoveries_ = 0;
   int failed_solves_ = 0;
   int dropped_late_ = 0;

@@ -1,5 +1,6 @@
 #include "solvers/window_smoother.h"
 
+#include <cmath>
 #include <string>
 
 #include "graph/statistics.h"
@@ -21,6 +22,10 @@ EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsort
   EstimateResult result = Describe(run.walk(), {run.reported()}, solver_.mode_limit_nats);
   AppendFloorStates(track, &result.slow_states);
   result.innovations = ToFactorStatistics(PoolByType(run.innovations()));
+  if (run.waited_s() > 1.0) {
+    result.messages.push_back("grew by " + std::to_string(std::lround(run.waited_s())) +
+                              " s until the walk was located");
+  }
   if (run.recoveries() > 0) {
     result.messages.push_back("lost the track and took it up elsewhere " +
                               std::to_string(run.recoveries()) + " times");

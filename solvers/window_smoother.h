@@ -13,16 +13,15 @@ namespace walkgraph {
 //   - Nodes arrive one by one, predicted from the one before by dead reckoning. Every arrival takes
 //     in the evidence that has come in by then and solves the window.
 //   - The window grows until the walk is located. It starts from the proposals that its own
-//   evidence
-//     makes, with the first evidence of a place and again just before the first node would leave;
-//     while these leave the walk anywhere on the floor, nothing leaves and new ones are made
-//     whenever the window has grown by half.
-//   - Several hypotheses are followed until the evidence tells them apart; the best one is
-//   reported,
-//     with the covariance of their mixture.
-//   - Once every window length the track is held against the discrete smoother's paths over the
-//   last
-//     three. Where it is near none of the likely ones it is lost, and taken up on the best, with a
+//     evidence makes, with the first evidence of a place and again just before the first node would
+//     leave; while these leave the walk anywhere on the floor, nothing leaves and new ones are made
+//     whenever the window has grown by half. How long it waited is a message.
+//   - Several hypotheses are followed until the evidence tells them apart, each with the errors of
+//     maps at the places that it went by; the best one is reported, with the covariance of their
+//     mixture.
+//   - Once every window length, and at the walk's end, the hypotheses are held against the
+//     whole-walk smoother on the last six lengths. Likely modes that none of them follows become
+//     hypotheses. When one of these is the best, the track was lost and is taken up there, with a
 //     message that counts it.
 //   - A node that is too old leaves: it and its factors become a prior on its neighbours (see
 //     graph/sliding_window.h), and its estimate at that moment is the one reported, unless

@@ -125,6 +125,20 @@ TEST(MapErrorStates, OnPlacesAreNearlyTheField) {
   EXPECT_GT(covariance(2, 18), 0.98 * kSigmaM * kSigmaM);
 }
 
+// Each mode of a walk has its own; the graph goes from one to the other.
+TEST(MapErrorStates, GoBackToWhatTheyWereConditionedOn) {
+  WalkGraph walk = TwoRounds(0, 1e9);
+  const MatrixXd as_walked = CovarianceOfKnots(walk);
+  ConditionOnPlaces(&walk);
+  const MapErrorConditionals here = Conditionals(walk);
+  const MatrixXd on_places = CovarianceOfKnots(walk);
+  ASSERT_GT((on_places - as_walked).cwiseAbs().maxCoeff(), 0.5 * kSigmaM * kSigmaM);
+  SetConditionals(ConditionalsAsWalked(walk), &walk);
+  EXPECT_EQ(CovarianceOfKnots(walk), as_walked);
+  SetConditionals(here, &walk);
+  EXPECT_EQ(CovarianceOfKnots(walk), on_places);
+}
+
 TEST(MapErrorStates, FadeAtOnePlaceWithTime) {
   WalkGraph walk = TwoRounds(0, 100);
   ConditionOnPlaces(&walk);

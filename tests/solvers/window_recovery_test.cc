@@ -16,16 +16,14 @@ namespace {
 using testing::SyntheticSite;
 
 const std::vector<Eigen::Vector2d> kLoop = {{6, 6}, {40, 6}, {40, 28}, {14, 28}};
-constexpr double kMarginNats = 12;
 
 struct Walked {
   explicit Walked(std::uint32_t seed) : synthetic(seed) {
     evidence = synthetic.Walk(kLoop, 0.1, 3.0, &truth);
     smoothed = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
   }
-  std::optional<Recovery> FindLost(const Trajectory& track) const {
-    return FindLostTrack(synthetic.site, evidence, {}, {}, track, kMarginNats,
-                         smoothed.poses.front().floor);
+  std::optional<Stretch> Smooth(const std::vector<Trajectory>& tracks) const {
+    return SmoothStretch(synthetic.site, evidence, {}, {}, tracks, smoothed.poses.front().floor);
   }
 
   SyntheticSite synthetic;
@@ -43,37 +41,37 @@ Trajectory MirroredAbout(const Eigen::Vector2d& middle, Trajectory track) {
   return track;
 }
 
-TEST(WindowRecoveryTest, LeavesTheSmoothersOwnTrackAlone) {
+TEST(WindowRecoveryTest, KnowsTheBestModeAmongTheTracks) {
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
     const Walked walked(seed);
-    EXPECT_FALSE(walked.FindLost(walked.smoothed)) << "seed " << seed;
+    Trajectory shifted = walked.smoothed;  // leads back to it
+    for (PoseEstimate& pose : shifted.poses) pose.position_m.x() += 3.0;
+    const std::optional<Stretch> stretch =
+        walked.Smooth({MirroredAbout({25, 17}, walked.smoothed), walked.smoothed, shifted});
+    ASSERT_TRUE(stretch);
+    EXPECT_NE(stretch->of_track[0], 0) << "seed " << seed;
+    EXPECT_EQ(stretch->of_track[1], 0) << "seed " << seed;
+    EXPECT_EQ(stretch->of_track[2], 0) << "seed " << seed;
   }
 }
 
-TEST(WindowRecoveryTest, LeavesATrackAloneThatLeadsBackToTheBestMode) {
-  const Walked walked(1);
-  Trajectory shifted = walked.smoothed;
-  for (PoseEstimate& pose : shifted.poses) pose.position_m.x() += 3.0;
-  EXPECT_FALSE(walked.FindLost(shifted));
-}
-
-TEST(WindowRecoveryTest, KnowsNoBetterWithoutEvidenceOfAPlace) {
+TEST(WindowRecoveryTest, KnowsNothingWithoutEvidenceOfAPlace) {
   Walked walked(1);
   walked.evidence.readings.clear();
-  EXPECT_FALSE(walked.FindLost(MirroredAbout({25, 17}, walked.smoothed)));
+  EXPECT_FALSE(walked.Smooth({MirroredAbout({25, 17}, walked.smoothed)}));
 }
 
-TEST(WindowRecoveryTest, ARecoveryIsTheSmoothersSolution) {
+TEST(WindowRecoveryTest, MovesAWindowToTheSmoothersSolution) {
   const Walked walked(1);
-  const std::optional<Recovery> recovery =
-      walked.FindLost(MirroredAbout({25, 17}, walked.smoothed));
-  ASSERT_TRUE(recovery);
-  const WalkGraph& walk = recovery->walk;
+  const std::optional<Stretch> stretch = walked.Smooth({MirroredAbout({25, 17}, walked.smoothed)});
+  ASSERT_TRUE(stretch);
+  const Mode& mode = stretch->modes.front();
+  const WalkGraph& walk = stretch->walk;
   Eigen::VectorXd values = walk.prior_values;
   std::vector<int> blocks;
   for (std::size_t b = 0; b < walk.graph.blocks().size(); ++b)
     blocks.push_back(static_cast<int>(b));
-  MoveTo(*recovery, walk.graph, blocks, &values);
+  MoveTo(walk, mode, walk.graph, blocks, &values);
   for (std::size_t node = 0; node < walk.node_ns.size(); ++node) {
     const Eigen::Vector2d position =
         values.segment<2>(walk.graph.block(walk.position[node]).offset);
@@ -81,9 +79,9 @@ TEST(WindowRecoveryTest, ARecoveryIsTheSmoothersSolution) {
     EXPECT_LT((position - expected).norm(), 0.05);
   }
   // One prior on each kind of state, as loose as promised.
-  const LinearPrior prior = PriorFrom(*recovery, walk.graph, blocks, values);
+  const LinearPrior prior = PriorFrom(walk, mode, walk.graph, blocks, values);
   const Eigen::Matrix2d& first =
-      recovery->mode.uncertainty.covariance[static_cast<std::size_t>(walk.position[0])];
+      mode.uncertainty.covariance[static_cast<std::size_t>(walk.position[0])];
   ASSERT_EQ(prior.blocks.front(), walk.position[0]);
   EXPECT_NEAR(prior.jacobian(0, 0), 0.5 / std::sqrt(first.diagonal().maxCoeff()), 1e-9);
   EXPECT_EQ(prior.residual.norm(), 0);
