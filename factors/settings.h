@@ -30,6 +30,7 @@ struct StepSettings {
   bool enabled = true;
   double sigma_along_m = 0.10;
   double sigma_across_m = 0.10;
+  double tread_m = 0.29;  // of stairs (Riener, Rabuffetti and Frigo 2002)
   LossSettings loss;
 };
 
@@ -201,6 +202,8 @@ void Visit(Visitor& v, StepSettings& s) {
   v.Field("enabled", s.enabled, "use detected steps");
   v.Field("sigma_along_m", s.sigma_along_m, "error of one step's length, m");
   v.Field("sigma_across_m", s.sigma_across_m, "sideways error of one step, m");
+  v.Field("tread_m", s.tread_m,
+          "length of a step between levels at most, m; 0: as long as on a level");
   Visit(v, s.loss);
 }
 template <typename Visitor>

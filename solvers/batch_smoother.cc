@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "factors/stair_steps.h"
 #include "graph/graph_part.h"
 #include "graph/walk_graph.h"
 #include "solvers/baselines/floor_tracker.h"
@@ -15,8 +16,9 @@
 namespace walkgraph {
 
 EstimateResult BatchSmoother::Estimate(const Site& site, const Evidence& unsorted) const {
-  const Evidence evidence = InCanonicalOrder(unsorted);
+  Evidence evidence = InCanonicalOrder(unsorted);
   const FloorTrack track = TrackFloors(site, evidence, factors_);
+  ShortenStairSteps(track.path, factors_.step, &evidence);
   WalkGraph walk = BuildWalkGraph(site, evidence, factors_, track.path);
   int failed_solves = 0;
   const std::vector<Mode> modes =

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "factors/stair_steps.h"
 #include "graph/statistics.h"
 #include "solvers/baselines/floor_tracker.h"
 #include "solvers/describe.h"
@@ -13,10 +14,11 @@
 namespace walkgraph {
 
 EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsorted) const {
-  const Evidence evidence = InCanonicalOrder(unsorted);
+  Evidence evidence = InCanonicalOrder(unsorted);
   // What is known of a node's floor when the node is reported.
   const double lag_s = window_.report_newest ? 0.0 : window_.seconds;
   const FloorTrack track = TrackFloors(site, evidence, factors_, lag_s);
+  ShortenStairSteps(track.path, factors_.step, &evidence);
   WindowRun run(site, evidence, factors_, solver_, window_, track.path);
   run.Play();
   EstimateResult result = Describe(run.walk(), {run.reported()}, solver_.mode_limit_nats);

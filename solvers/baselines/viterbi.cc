@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "factors/stair_steps.h"
 #include "solvers/baselines/fixes.h"
 #include "solvers/baselines/floor_tracker.h"
 
@@ -29,15 +30,17 @@ Eigen::Vector2d MiddleOfSurvey(const Site& site, int floor) {
 
 }  // namespace
 
-EstimateResult Viterbi::Estimate(const Site& site, const Evidence& evidence) const {
+EstimateResult Viterbi::Estimate(const Site& site, const Evidence& unfloored) const {
   EstimateResult result;
-  const DeadReckonedPath walk = DeadReckon(site, evidence, factors_);
   if (site.SurveyedFloors().empty()) {
     result.status = EstimateStatus::kUnsupported;
     result.messages.emplace_back("the site has no radio map");
     return result;
   }
-  const FloorPath floors = TrackFloors(site, evidence, factors_).path;
+  const FloorPath floors = TrackFloors(site, unfloored, factors_).path;
+  Evidence evidence = unfloored;
+  ShortenStairSteps(floors, factors_.step, &evidence);
+  const DeadReckonedPath walk = DeadReckon(site, evidence, factors_);
   const std::vector<DiscretePath> paths =
       SmoothOnLattice(site, evidence, walk, factors_, settings_, floors);
   if (paths.empty()) {
