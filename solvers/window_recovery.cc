@@ -25,11 +25,23 @@ int Counterpart(const FactorGraph& graph, const BlockId& id, TimeNs time_ns) {
   return counterpart;
 }
 
+// Whether a track goes by a mode's path since a time.
+bool GoesBy(const Mode& mode, const Trajectory& track, TimeNs since_ns,
+            const SolverSettings& solver, WalkGraph* walk) {
+  SetTrajectory(track, walk);
+  GraphPart recent;
+  for (std::size_t node = 0; node < walk->node_ns.size(); ++node) {
+    if (walk->node_ns[node] >= since_ns) recent.blocks.push_back(walk->position[node]);
+  }
+  return SamePath(walk->graph, recent, walk->graph.values(), mode.values, mode.uncertainty,
+                  solver.distinct_m);
+}
+
 }  // namespace
 
 std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
                                      const FactorSettings& factors, const SolverSettings& solver,
-                                     const std::vector<Trajectory>& tracks,
+                                     const std::vector<Trajectory>& tracks, TimeNs window_begin_ns,
                                      const FloorPath& floors) {
   Stretch stretch{BuildWalkGraph(site, recent, factors, floors), {}, {}};
   WalkGraph& walk = stretch.walk;
@@ -42,10 +54,12 @@ std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
   int failed_solves = 0;
   stretch.modes =
       FindModes(starts, WholeGraph(walk.graph), walk.node_ns.back(), solver, &walk, &failed_solves);
-  stretch.of_track.assign(tracks.size(), -1);
+  stretch.tracks.resize(tracks.size());
   for (std::size_t m = 0; m < stretch.modes.size(); ++m) {
     for (const std::size_t start : stretch.modes[m].starts) {
-      if (start < tracks.size()) stretch.of_track[start] = static_cast<int>(m);
+      if (start >= tracks.size()) continue;
+      stretch.tracks[start] = {static_cast<int>(m), GoesBy(stretch.modes[m], tracks[start],
+                                                           window_begin_ns, solver, &walk)};
     }
   }
   return stretch;

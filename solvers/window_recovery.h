@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "data/time.h"
 #include "data/trajectory.h"
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
@@ -16,11 +17,17 @@
 
 namespace walkgraph {
 
+// Where a track that a window follows stands in a stretch.
+struct TrackPlace {
+  int mode = -1;    // that it leads to; -1: none worth refining
+  bool at = false;  // it goes by that mode's path since the window's begin, not only leads there
+};
+
 // A stretch of a walk as the whole-walk smoother has it.
 struct Stretch {
-  WalkGraph walk;             // of that stretch alone
-  std::vector<Mode> modes;    // best first
-  std::vector<int> of_track;  // by track, the mode that it is in; -1: in none worth refining
+  WalkGraph walk;                  // of that stretch alone
+  std::vector<Mode> modes;         // best first
+  std::vector<TrackPlace> tracks;  // as given
 };
 
 // What the whole-walk smoother makes of the recent evidence: it sees the whole floor, a window the
@@ -29,7 +36,7 @@ struct Stretch {
 // graph. None where the evidence knows no place.
 std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
                                      const FactorSettings& factors, const SolverSettings& solver,
-                                     const std::vector<Trajectory>& tracks,
+                                     const std::vector<Trajectory>& tracks, TimeNs window_begin_ns,
                                      const FloorPath& floors);
 
 // Moves blocks of a window to a mode of a stretch: nodes to its trajectory, slow states to its own

@@ -83,7 +83,7 @@ void WindowRun::CheckTracks(std::size_t node) {
   Weigh();
   const std::optional<Stretch> stretch =
       SmoothStretch(site_, EvidenceSince(Seen(node), since_ns), factors_, solver_,
-                    Tracks(since_ns, node), walk_.floors);
+                    Tracks(since_ns, node), walk_.node_ns[oldest_], walk_.floors);
   if (!stretch) return;
   // What speaks for the tracks from before that is not known, but bounded: other hypotheses were
   // dropped when they were this much worse.
@@ -91,29 +91,39 @@ void WindowRun::CheckTracks(std::size_t node) {
   TakeUpOthers(*stretch, margin_nats, node);
 }
 
-// The modes of a stretch that no hypothesis follows become hypotheses, weighed against the best
-// that does follow one; where none does, in the place of all.
+// The modes of a stretch by which no hypothesis goes become hypotheses, weighed against the best
+// that goes by one; they take the place of those that only lead to them, which stand on what was
+// marginalised elsewhere. Where none goes by any they take the place of all.
 void WindowRun::TakeUpOthers(const Stretch& stretch, double margin_nats, std::size_t newest) {
-  const std::vector<int>& followed = stretch.of_track;
+  const std::vector<TrackPlace>& tracks = stretch.tracks;
   const auto held =
-      std::find_if(followed.begin(), followed.end(), [](int mode) { return mode >= 0; });
+      std::find_if(tracks.begin(), tracks.end(), [](const TrackPlace& track) { return track.at; });
   const double limit = hypotheses_.front().negative_log_mass + settings_.hypothesis_nats;
   double beyond_stretch = 0;  // what the hypotheses' masses hold besides
-  if (held != followed.end()) {
-    const auto hypothesis = static_cast<std::size_t>(held - followed.begin());
-    beyond_stretch = hypotheses_[hypothesis].negative_log_mass -
-                     stretch.modes[static_cast<std::size_t>(*held)].negative_log_mass;
+  if (held != tracks.end()) {
+    beyond_stretch =
+        hypotheses_[static_cast<std::size_t>(held - tracks.begin())].negative_log_mass -
+        stretch.modes[static_cast<std::size_t>(held->mode)].negative_log_mass;
   }
-  std::vector<WindowHypothesis> taken_up;
+  std::vector<WindowHypothesis> next;
   for (std::size_t m = 0; m < stretch.modes.size(); ++m) {
-    if (std::find(followed.begin(), followed.end(), static_cast<int>(m)) != followed.end())
-      continue;
-    const double mass = stretch.modes[m].negative_log_mass + beyond_stretch + margin_nats;
-    if (held != followed.end() && !(mass <= limit)) break;
-    taken_up.push_back(TakeUp(stretch, stretch.modes[m], newest, mass));
+    const auto leads_here = [m](const TrackPlace& track) {
+      return track.mode == static_cast<int>(m);
+    };
+    const auto goes_by = [&](const TrackPlace& track) { return leads_here(track) && track.at; };
+    if (std::any_of(tracks.begin(), tracks.end(), goes_by)) continue;
+    const bool known = std::any_of(tracks.begin(), tracks.end(), leads_here);
+    const double mass =
+        stretch.modes[m].negative_log_mass + beyond_stretch + (known ? 0.0 : margin_nats);
+    if (held == tracks.end() || mass <= limit) {
+      next.push_back(TakeUp(stretch, stretch.modes[m], newest, mass));
+    }
   }
-  if (held == followed.end()) hypotheses_.clear();
-  std::move(taken_up.begin(), taken_up.end(), std::back_inserter(hypotheses_));
+  for (std::size_t h = 0; h < hypotheses_.size(); ++h) {
+    const bool stays = tracks[h].at || (held != tracks.end() && tracks[h].mode < 0);
+    if (stays) next.push_back(std::move(hypotheses_[h]));
+  }
+  hypotheses_ = std::move(next);
   Weigh();
   const auto most = static_cast<std::ptrdiff_t>(std::max(1, settings_.hypotheses));
   if (std::ssize(hypotheses_) > most) {

@@ -23,7 +23,8 @@ struct Walked {
     smoothed = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
   }
   std::optional<Stretch> Smooth(const std::vector<Trajectory>& tracks) const {
-    return SmoothStretch(synthetic.site, evidence, {}, {}, tracks, smoothed.poses.front().floor);
+    return SmoothStretch(synthetic.site, evidence, {}, {}, tracks, evidence.begin_ns,
+                         smoothed.poses.front().floor);
   }
 
   SyntheticSite synthetic;
@@ -49,9 +50,11 @@ TEST(WindowRecoveryTest, KnowsTheBestModeAmongTheTracks) {
     const std::optional<Stretch> stretch =
         walked.Smooth({MirroredAbout({25, 17}, walked.smoothed), walked.smoothed, shifted});
     ASSERT_TRUE(stretch);
-    EXPECT_NE(stretch->of_track[0], 0) << "seed " << seed;
-    EXPECT_EQ(stretch->of_track[1], 0) << "seed " << seed;
-    EXPECT_EQ(stretch->of_track[2], 0) << "seed " << seed;
+    EXPECT_NE(stretch->tracks[0].mode, 0) << "seed " << seed;
+    EXPECT_EQ(stretch->tracks[1].mode, 0) << "seed " << seed;
+    EXPECT_TRUE(stretch->tracks[1].at) << "seed " << seed;
+    EXPECT_EQ(stretch->tracks[2].mode, 0) << "seed " << seed;
+    EXPECT_FALSE(stretch->tracks[2].at) << "seed " << seed;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "solvers/batch_smoother.h"
@@ -72,17 +73,23 @@ TEST(LaggedBatchTest, KnowsMoreTheLongerItWaits) {
   EXPECT_LT(lagged_sum, newest_sum);
 }
 
-// One access point alone leaves the walk on a ring. What left the window then would stay wrong.
+// One access point alone, for 25 s, leaves the walk on a ring.
+Evidence OnARingAtFirst(SyntheticSite& synthetic, std::vector<Eigen::Vector2d>* truth) {
+  Evidence evidence = synthetic.Walk(kLoop, 0.1, 3.0, truth);
+  const std::uint32_t only = evidence.readings.front().transmitter;
+  std::erase_if(evidence.readings, [&](const RadioReading& reading) {
+    return reading.heard_ns < SyntheticSite::At(25) && reading.transmitter != only;
+  });
+  return evidence;
+}
+
+// What left the window then would stay wrong.
 TEST(WindowSmootherTest, KeepsItsNodesUntilTheWalkIsLocated) {
   double waiting_sum = 0, hasty_sum = 0, batch_sum = 0;
   for (std::uint32_t seed = 1; seed <= 6; ++seed) {
     SyntheticSite synthetic(seed);
     std::vector<Eigen::Vector2d> truth;
-    Evidence evidence = synthetic.Walk(kLoop, 0.1, 3.0, &truth);
-    const std::uint32_t only = evidence.readings.front().transmitter;
-    std::erase_if(evidence.readings, [&](const RadioReading& reading) {
-      return reading.heard_ns < SyntheticSite::At(25) && reading.transmitter != only;
-    });
+    const Evidence evidence = OnARingAtFirst(synthetic, &truth);
     const auto error = [&](double located_sigma_m) {
       WindowSettings settings;
       settings.located_sigma_m = located_sigma_m;
@@ -97,6 +104,26 @@ TEST(WindowSmootherTest, KeepsItsNodesUntilTheWalkIsLocated) {
   EXPECT_LT(waiting_sum, 1.5 * batch_sum);
   // A hasty start may be lost and found again, but not without a price.
   EXPECT_LT(waiting_sum, hasty_sum);
+}
+
+// A window that lets nodes leave while the walk is anywhere on the ring loses the track. It takes
+// it up again where the whole walk says, and is as good at the end.
+TEST(WindowSmootherTest, FindsALostTrackAgain) {
+  int found_again = 0;
+  for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+    SyntheticSite synthetic(seed);
+    std::vector<Eigen::Vector2d> truth;
+    const Evidence evidence = OnARingAtFirst(synthetic, &truth);
+    WindowSettings hasty;
+    hasty.located_sigma_m = 1e6;
+    const EstimateResult window = WindowSmoother({}, {}, hasty).Estimate(synthetic.site, evidence);
+    const Eigen::Vector2d end = window.trajectory.poses.back().position_m.head<2>();
+    EXPECT_LT((end - truth.back()).norm(), 4.0) << "seed " << seed;
+    for (const std::string& message : window.messages) {
+      if (message.starts_with("lost the track")) ++found_again;
+    }
+  }
+  EXPECT_GT(found_again, 0);
 }
 
 }  // namespace
