@@ -13,11 +13,18 @@ void CheckPositive(const char* name, double value) {
                               ", expected a positive number");
 }
 
+void CheckNotNegative(const char* name, double value) {
+  if (value >= 0) return;
+  throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+                              ", expected a positive number or 0");
+}
+
 }  // namespace
 
 void CheckSettings(const FactorSettings& s) {
   CheckPositive("step.sigma_along_m", s.step.sigma_along_m);
   CheckPositive("step.sigma_across_m", s.step.sigma_across_m);
+  CheckNotNegative("step.tread_m", s.step.tread_m);
   CheckPositive("heading_increment.sigma_rad_per_sqrt_s", s.heading_increment.sigma_rad_per_sqrt_s);
   CheckPositive("heading_increment.unmeasured_rad_per_sqrt_s",
                 s.heading_increment.unmeasured_rad_per_sqrt_s);
@@ -28,11 +35,7 @@ void CheckSettings(const FactorSettings& s) {
     throw std::invalid_argument(
         "fingerprint.loss is truncated, expected none, huber or cauchy: every reading has its own");
   }
-  if (!(s.magnetic.correlation_s >= 0)) {
-    throw std::invalid_argument("magnetic.correlation_s is " +
-                                std::to_string(s.magnetic.correlation_s) +
-                                ", expected a time or 0");
-  }
+  CheckNotNegative("magnetic.correlation_s", s.magnetic.correlation_s);
   CheckPositive("gyro_bias.prior_sigma_radps", s.gyro_bias.prior_sigma_radps);
   CheckPositive("gyro_bias.walk_radps_per_sqrt_s", s.gyro_bias.walk_radps_per_sqrt_s);
   CheckPositive("gyro_bias.knot_s", s.gyro_bias.knot_s);
