@@ -103,6 +103,7 @@ struct MapErrorSettings {
   double correlation_s = 150;
   double knot_s = 5;
   bool grows = false;  // away from the survey, as calibrated
+  bool widens = true;  // the same for covariances alone
 };
 
 struct RssiOffsetSettings {
@@ -282,6 +283,8 @@ void Visit(Visitor& v, MapErrorSettings& s) {
   v.Field("grows", s.grows,
           "the error grows with the distance from the survey at the site's calibrated rate; false: "
           "it is the same everywhere");
+  v.Field("widens", s.widens,
+          "covariances take the error to grow so, poses do not; false: neither does");
 }
 template <typename Visitor>
 void Visit(Visitor& v, RssiOffsetSettings& s) {

@@ -110,6 +110,11 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
   const double error_sigma_m = MapErrorSigma(radios, settings.map_error);
   const KnotBlocks map_error =
       AddMapErrorState(BlockKind::kMapError, settings.map_error, error_sigma_m, walk);
+  if (settings.map_error.widens && !settings.map_error.grows && !walk->map_errors.empty()) {
+    for (const HeardRadio& radio : radios) {
+      walk->map_errors.back().widened_by.push_back(radio.map);
+    }
+  }
   std::map<Radio, int> offsets;  // one on all floors
   for (const HeardRadio& radio : radios) {
     const Radio kind = radio.map->radio;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "factors/map_error.h"
+#include "factors/map_look.h"
 #include "graph/node_times.h"
 
 namespace walkgraph {
@@ -169,6 +170,20 @@ std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& w
   return places;
 }
 
+std::vector<double> WideningOfKnots(const MapErrorKnots& knots, const WalkGraph& walk,
+                                    TimeNs now_ns) {
+  std::vector<double> widening;
+  for (const KnotPlace& place : KnotPlaces(knots, walk, now_ns)) {
+    double& ratio = widening.emplace_back(1.0);
+    for (const RadioMap* map : knots.widened_by) {
+      if (map->floor != place.floor) continue;
+      const double growth_per_sigma = map->map_error_growth / knots.kernel.sigma_m;
+      ratio = std::max(ratio, ErrorRatioAt(*map, growth_per_sigma, place.position_m).value);
+    }
+  }
+  return widening;
+}
+
 SparseConditional ConditionOnEarlier(int index, const std::function<double(int, int)>& correlation,
                                      int most) {
   NeighbourSearch search(index, correlation);
@@ -186,7 +201,7 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
   }
   const Knots times(begin_ns, walk->node_ns.back(), settings.knot_s);
   const MapErrorKernel kernel{sigma_m, settings.correlation_m, settings.correlation_s};
-  MapErrorKnots knots{{times, {}}, {}, kernel, {}, {}};
+  MapErrorKnots knots{{times, {}}, {}, kernel, {}, {}, {}};
   for (int k = 0; k < times.count(); ++k) {
     knots.state.blocks.push_back(walk->graph.AddBlock({kind, k}, times.Time(k), zero));
   }

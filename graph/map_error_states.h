@@ -45,6 +45,11 @@ struct KnotPlace {
 // By the graph's values, of the knots that began until `now_ns`, each by its nodes until then.
 std::vector<KnotPlace> KnotPlaces(const MapErrorKnots& knots, const WalkGraph& walk, TimeNs now_ns);
 
+// By how much the maps' error is larger at the place of each knot than its kernel says: 1 on the
+// survey (see ErrorRatio), of several maps the worst. Of the knots that began until `now_ns`.
+std::vector<double> WideningOfKnots(const MapErrorKnots& knots, const WalkGraph& walk,
+                                    TimeNs now_ns);
+
 // Variable `index` given at most `most` of those before it, chosen one after the other by how much
 // of the variance they take (Vecchia's approximation with the neighbours that matter). Stops where
 // the next would take under a hundredth of what is left.

@@ -55,6 +55,20 @@ VarianceComponent EstimateVarianceComponent(const LinearSystem& system,
   return component;
 }
 
+void WidenBlocks(const std::vector<double>& ratio, const std::vector<bool>& in_group,
+                 LinearSystem* system) {
+  for (LinearFactor& linear : system->factors) {
+    if (!IsOfGroup(linear, in_group)) continue;
+    Eigen::Index column = 0;
+    for (const int block : linear.blocks) {
+      const auto b = static_cast<std::size_t>(block);
+      const Eigen::Index columns = system->block_sizes[b];
+      linear.jacobian.middleCols(column, columns) /= ratio[b];
+      column += columns;
+    }
+  }
+}
+
 void InflateVariance(double factor, const std::vector<bool>& in_group, LinearSystem* system) {
   const double scale = 1.0 / std::sqrt(factor);
   for (LinearFactor& linear : system->factors) {

@@ -29,6 +29,11 @@ VarianceComponent EstimateVarianceComponent(const LinearSystem& system,
                                             const std::vector<bool>& in_group,
                                             const MarginalCovariance& marginals);
 
+// Multiplies the standard deviation of each block of the group, by block of the system, in the
+// factors that touch blocks of the group alone.
+void WidenBlocks(const std::vector<double>& ratio, const std::vector<bool>& in_group,
+                 LinearSystem* system);
+
 // Multiplies the variance of the same factors.
 void InflateVariance(double factor, const std::vector<bool>& in_group, LinearSystem* system);
 

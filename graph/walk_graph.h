@@ -35,6 +35,8 @@ struct MapErrorKnots {
   MapErrorKernel kernel;
   std::vector<SparseConditional> as_walked;     // what each knot was first conditioned on
   std::vector<SparseConditional> conditionals;  // what it is now, as its factor says
+  // The maps whose errors covariances take to be larger where they extrapolate.
+  std::vector<const RadioMap*> widened_by;
 };
 
 // The factor graph of one walk whose floors are known: every node, slow state and factor that the

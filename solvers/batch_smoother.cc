@@ -21,9 +21,14 @@ EstimateResult BatchSmoother::Estimate(const Site& site, const Evidence& unsorte
   ShortenStairSteps(track.path, factors_.step, &evidence);
   WalkGraph walk = BuildWalkGraph(site, evidence, factors_, track.path);
   int failed_solves = 0;
-  const std::vector<Mode> modes =
-      FindModes(ProposeTrajectories(site, evidence, factors_, solver_, track.path),
-                WholeGraph(walk.graph), walk.node_ns.back(), solver_, &walk, &failed_solves);
+  const GraphPart whole = WholeGraph(walk.graph);
+  std::vector<Mode> modes =
+      FindModes(ProposeTrajectories(site, evidence, factors_, solver_, track.path), whole,
+                walk.node_ns.back(), solver_, &walk, &failed_solves);
+  for (Mode& mode : modes) {
+    GoTo(mode, &walk);
+    WidenOffSurvey(walk, whole, solver_.map_error_test, &mode.uncertainty);
+  }
   EstimateResult result = Describe(walk, modes, solver_.mode_limit_nats);
   AppendFloorStates(track, &result.slow_states);
   if (failed_solves > 0) {

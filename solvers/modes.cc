@@ -137,6 +137,38 @@ std::vector<bool> BlocksOfKind(const WalkGraph& walk, const VariableIndex& index
   return is_of_kind;
 }
 
+// The marginals of a system, with the variance of its map errors that they show themselves where a
+// test finds them larger than the model's.
+std::optional<MarginalCovariance> UnderShownErrors(MarginalCovariance marginals,
+                                                   const std::vector<bool>& is_map_error,
+                                                   double map_error_test, LinearSystem* system) {
+  const double inflation =
+      EstimateVarianceComponent(*system, is_map_error, marginals).Inflation(map_error_test);
+  if (inflation <= 1.0) return marginals;
+  InflateVariance(inflation, is_map_error, system);
+  return MarginalCovariance::Compute(*system);
+}
+
+// Of each block of the system, see WideningOfKnots; 1 for what is no map's error.
+std::vector<double> WideningOfBlocks(const WalkGraph& walk, const GraphPart& part,
+                                     const VariableIndex& index) {
+  TimeNs now_ns = walk.node_ns.front();
+  for (const int block : part.blocks) {
+    if (walk.graph.block(block).id.kind != BlockKind::kPosition) continue;
+    now_ns = std::max(now_ns, walk.graph.block(block).time_ns);
+  }
+  std::vector<double> widening(static_cast<std::size_t>(index.size()), 1.0);
+  for (const MapErrorKnots& knots : walk.map_errors) {
+    if (knots.widened_by.empty()) continue;
+    const std::vector<double> of_knots = WideningOfKnots(knots, walk, now_ns);
+    for (std::size_t k = 0; k < of_knots.size(); ++k) {
+      const int variable = index.variable(knots.state.blocks[k]);
+      if (variable >= 0) widening[static_cast<std::size_t>(variable)] = of_knots[k];
+    }
+  }
+  return widening;
+}
+
 }  // namespace
 
 bool SamePath(const FactorGraph& graph, const GraphPart& part, const Eigen::VectorXd& point,
@@ -185,17 +217,32 @@ PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part
   result.log_det_hessian =
       marginals->log_determinant().value_or(std::numeric_limits<double>::infinity());
   const std::vector<bool> is_map_error = BlocksOfKind(walk, index, BlockKind::kMapError);
-  const double inflation =
-      EstimateVarianceComponent(system, is_map_error, *marginals).Inflation(map_error_test);
-  if (inflation > 1.0) {
-    InflateVariance(inflation, is_map_error, &system);
-    marginals = MarginalCovariance::Compute(system);
-  }
+  marginals = UnderShownErrors(std::move(*marginals), is_map_error, map_error_test, &system);
   for (int v = 0; v < index.size(); ++v) {
     result.covariance[static_cast<std::size_t>(index.block(v))] = marginals->block(v).covariance;
     result.variables += system.block_sizes[static_cast<std::size_t>(v)];
   }
   return result;
+}
+
+void WidenOffSurvey(const WalkGraph& walk, const GraphPart& part, double map_error_test,
+                    PointUncertainty* uncertainty) {
+  const VariableIndex index(walk.graph, part.blocks);
+  const std::vector<double> widening = WideningOfBlocks(walk, part, index);
+  if (std::all_of(widening.begin(), widening.end(), [](double ratio) { return ratio <= 1.0; })) {
+    return;
+  }
+  LinearSystem system = Linearize(walk.graph, part, index);
+  BoundFirstHeading(walk, part, index, &system);
+  const std::vector<bool> is_map_error = BlocksOfKind(walk, index, BlockKind::kMapError);
+  WidenBlocks(widening, is_map_error, &system);
+  std::optional<MarginalCovariance> marginals = MarginalCovariance::Compute(system);
+  if (!marginals) return;
+  marginals = UnderShownErrors(std::move(*marginals), is_map_error, map_error_test, &system);
+  for (int v = 0; v < index.size(); ++v) {
+    uncertainty->covariance[static_cast<std::size_t>(index.block(v))] =
+        marginals->block(v).covariance;
+  }
 }
 
 Mode SolveFrom(const InitialTrajectory& start, const GraphPart& part,

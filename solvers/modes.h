@@ -36,6 +36,11 @@ struct PointUncertainty {
 PointUncertainty ComputeUncertainty(const WalkGraph& walk, const GraphPart& part,
                                     double map_error_test);
 
+// The same covariances where the errors of maps grow away from the survey (see WideningOfKnots),
+// for what is reported: the mode, its mass and what tells it from others stay those of the model.
+void WidenOffSurvey(const WalkGraph& walk, const GraphPart& part, double map_error_test,
+                    PointUncertainty* uncertainty);
+
 // A local maximum of the posterior.
 struct Mode {
   std::string source;

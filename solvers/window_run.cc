@@ -255,13 +255,19 @@ std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
 
 // The best hypothesis's values, with the covariance of the mixture of all about them.
 void WindowRun::Report(const std::vector<int>& blocks) {
+  std::vector<WindowHypothesis> widened = hypotheses_;
+  for (WindowHypothesis& hypothesis : widened) {
+    GoTo(hypothesis, &walk_);
+    WidenOffSurvey(walk_, hypothesis.window.part(), solver_.map_error_test,
+                   &hypothesis.uncertainty);
+  }
   for (const int block : blocks) {
     const StateBlock& state = walk_.graph.block(block);
     reported_.values.segment(state.offset, state.size()) =
         hypotheses_.front().values.segment(state.offset, state.size());
     if (state.constant) continue;
     reported_.uncertainty.covariance[static_cast<std::size_t>(block)] =
-        MixtureCovariance(walk_.graph, hypotheses_, block);
+        MixtureCovariance(walk_.graph, widened, block);
   }
 }
 

@@ -138,5 +138,29 @@ TEST(VarianceComponent, InflatesTheGroupAlone) {
   }
 }
 
+// x + e = z with noise 0.5, e of standard deviation 2: x has 0.25 + (ratio 2)^2.
+TEST(WidenBlocks, MultipliesTheStandardDeviationOfTheBlock) {
+  LinearSystem system;
+  system.block_sizes = {1, 1};
+  AddFactor({0}, {Scalar(0.5)}, Scalar(0), system);
+  AddFactor({0, 1}, {Scalar(2), Scalar(2)}, Scalar(1), system);
+  WidenBlocks({3.0, 1.0}, {true, false}, &system);
+  const MarginalCovariance marginals = *MarginalCovariance::Compute(system);
+  EXPECT_NEAR(marginals.block(0).covariance(0, 0), 36.0, 1e-9);
+  EXPECT_NEAR(marginals.block(1).covariance(0, 0), 36.25, 1e-9);
+}
+
+// Two places of one process, one of them off the survey: their correlation stays.
+TEST(WidenBlocks, KeepsCorrelations) {
+  LinearSystem system;
+  system.block_sizes = {1, 1};
+  AddFactor({0}, {Scalar(1)}, Scalar(0), system);
+  AddFactor({0, 1}, {Scalar(-0.6 / 0.8), Scalar(1 / 0.8)}, Scalar(0), system);
+  WidenBlocks({1.0, 4.0}, {true, true}, &system);
+  const MarginalCovariance marginals = *MarginalCovariance::Compute(system);
+  EXPECT_NEAR(marginals.block(1).covariance(0, 0), 16.0, 1e-9);
+  EXPECT_NEAR(marginals.Joint(0, 1)->covariance(0, 1), 4 * 0.6, 1e-9);
+}
+
 }  // namespace
 }  // namespace walkgraph

@@ -38,6 +38,33 @@ TEST(BatchSmootherTest, BeatsTheDiscreteSmootherOnTheSameEvidence) {
   EXPECT_LT(batch_sum, 0.8 * viterbi_sum);
 }
 
+// Where the map extrapolates its error is larger: covariances say so, poses do not heed it.
+TEST(BatchSmootherTest, CovariancesWidenAwayFromTheSurveyAndPosesStay) {
+  SyntheticSite synthetic(1);
+  const Evidence evidence = synthetic.Walk(kLoop, 0.1, 3.0);
+  RadioMap& map = synthetic.site.maps.front();
+  map.map_error_sigma_m = 1.0;
+  map.map_error_growth = 0.5;
+  const auto cells = static_cast<std::size_t>(map.grid.columns) * map.grid.rows;
+  FactorSettings narrow;
+  narrow.map_error.widens = false;
+  const auto area = [](const PoseEstimate& pose) { return pose.covariance_xy_m2.trace(); };
+  for (const double distance_m : {0.0, 6.0}) {
+    map.survey_distance_m.assign(cells, static_cast<float>(distance_m));
+    const Trajectory wide = BatchSmoother({}, {}).Estimate(synthetic.site, evidence).trajectory;
+    const Trajectory same = BatchSmoother(narrow, {}).Estimate(synthetic.site, evidence).trajectory;
+    ASSERT_EQ(wide.poses.size(), same.poses.size());
+    for (std::size_t i = 0; i < wide.poses.size(); ++i) {
+      EXPECT_EQ(wide.poses[i].position_m, same.poses[i].position_m);
+      if (distance_m == 0) {
+        EXPECT_NEAR(area(wide.poses[i]), area(same.poses[i]), 1e-9);
+      } else {  // three times the error, of which the walk's own averaging leaves a part
+        EXPECT_GT(area(wide.poses[i]), 2 * area(same.poses[i]));
+      }
+    }
+  }
+}
+
 // Walls half a metre to either side of the loop.
 Floor Hall(Floor floor) {
   floor.outline = {{{5.5, 5.5},
