@@ -25,7 +25,9 @@ EstimateResult BatchSmoother::Estimate(const Site& site, const Evidence& unsorte
   std::vector<Mode> modes =
       FindModes(ProposeTrajectories(site, evidence, factors_, solver_, track.path), whole,
                 walk.node_ns.back(), solver_, &walk, &failed_solves);
+  const double limit = modes.front().negative_log_mass + solver_.mode_limit_nats;
   for (Mode& mode : modes) {
+    if (mode.negative_log_mass > limit) break;  // no part of what is reported
     GoTo(mode, &walk);
     WidenOffSurvey(walk, whole, solver_.map_error_test, &mode.uncertainty);
   }
