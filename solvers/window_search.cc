@@ -69,6 +69,7 @@ bool WindowRun::IsLocated() {
 // Once every window length, and with the last node.
 bool WindowRun::CheckIsDue(std::size_t node) const {
   const TimeNs length_ns = walk_.node_ns[node] - walk_.node_ns[oldest_];
+  if (length_ns <= 0) return false;  // a window of one node has no way to compare
   const bool last = node + 1 == walk_.node_ns.size();
   return last || walk_.node_ns[node] - checked_ns_.value_or(*started_ns_) >= length_ns;
 }
