@@ -108,13 +108,12 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
   if (radios.empty()) return;
   const TimeNs begin_ns = walk->node_ns.front();
   const double error_sigma_m = MapErrorSigma(radios, settings.map_error);
-  const KnotBlocks map_error =
-      AddMapErrorState(BlockKind::kMapError, settings.map_error, error_sigma_m, walk);
-  if (settings.map_error.widens && !settings.map_error.grows && !walk->map_errors.empty()) {
-    for (const HeardRadio& radio : radios) {
-      walk->map_errors.back().widened_by.push_back(radio.map);
-    }
+  std::vector<const RadioMap*> widened_by;
+  if (settings.map_error.widens && !settings.map_error.grows) {
+    for (const HeardRadio& radio : radios) widened_by.push_back(radio.map);
   }
+  const KnotBlocks map_error =
+      AddMapErrorState(BlockKind::kMapError, settings.map_error, error_sigma_m, widened_by, walk);
   std::map<Radio, int> offsets;  // one on all floors
   for (const HeardRadio& radio : radios) {
     const Radio kind = radio.map->radio;
@@ -150,7 +149,7 @@ void AddMagneticLooks(const Site& site, const Evidence& evidence, const FactorSe
     error_sigma_m = std::max(error_sigma_m, look.map->map_error_sigma_m);
   }
   const KnotBlocks error =
-      AddMapErrorState(BlockKind::kMagneticError, settings.map_error, error_sigma_m, walk);
+      AddMapErrorState(BlockKind::kMagneticError, settings.map_error, error_sigma_m, {}, walk);
   for (const MagneticLook& look : looks) {
     auto cost = std::make_unique<MagneticFactor>(look);
     GraphFactor factor;

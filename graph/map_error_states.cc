@@ -192,7 +192,7 @@ SparseConditional ConditionOnEarlier(int index, const std::function<double(int, 
 }
 
 KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
-                            WalkGraph* walk) {
+                            const std::vector<const RadioMap*>& widened_by, WalkGraph* walk) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
   const TimeNs begin_ns = walk->node_ns.front();
   if (settings.mode != StateMode::kActive || sigma_m <= 0) {
@@ -201,7 +201,7 @@ KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, do
   }
   const Knots times(begin_ns, walk->node_ns.back(), settings.knot_s);
   const MapErrorKernel kernel{sigma_m, settings.correlation_m, settings.correlation_s};
-  MapErrorKnots knots{{times, {}}, {}, kernel, {}, {}, {}};
+  MapErrorKnots knots{{times, {}}, {}, kernel, {}, {}, widened_by};
   for (int k = 0; k < times.count(); ++k) {
     knots.state.blocks.push_back(walk->graph.AddBlock({kind, k}, times.Time(k), zero));
   }

@@ -16,12 +16,17 @@ namespace walkgraph {
 // of a walk whose nodes are there; absent where sigma_m is 0. Each knot is conditioned on the one
 // before, as far from it as was walked between them: what is known before anybody knows where.
 KnotBlocks AddMapErrorState(BlockKind kind, const MapErrorSettings& settings, double sigma_m,
-                            WalkGraph* walk);
+                            const std::vector<const RadioMap*>& widened_by, WalkGraph* walk);
 
 // The same, with each knot conditioned on those before that tell most of it by where the graph's
 // values have them: who comes back to a place finds the map's error there again. Errors on
 // different floors are independent, as their maps are.
 void ConditionOnPlaces(WalkGraph* walk);
+
+// The same for the knots of a walk under way: those that `is_new` names among the graph's blocks
+// are conditioned on those that `is_known` names, by the nodes until `now_ns`.
+void ConditionNewOnPlaces(TimeNs now_ns, const std::function<bool(int)>& is_new,
+                          const std::function<bool(int)>& is_known, WalkGraph* walk);
 
 // What every knot of every map's error is conditioned on.
 using MapErrorConditionals = std::vector<std::vector<SparseConditional>>;
@@ -30,11 +35,6 @@ MapErrorConditionals Conditionals(const WalkGraph& walk);
 MapErrorConditionals ConditionalsAsWalked(const WalkGraph& walk);
 // Takes the walk's graph (back) to these. Those that it has already cost nothing.
 void SetConditionals(const MapErrorConditionals& conditionals, WalkGraph* walk);
-
-// The same for the knots of a walk under way: those that `is_new` names among the graph's blocks
-// are conditioned on those that `is_known` names, by the nodes until `now_ns`.
-void ConditionNewOnPlaces(TimeNs now_ns, const std::function<bool(int)>& is_new,
-                          const std::function<bool(int)>& is_known, WalkGraph* walk);
 
 // Where the walk was while a knot of a map's error held: the middle of its nodes.
 struct KnotPlace {

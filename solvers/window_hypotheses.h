@@ -18,11 +18,12 @@ struct WindowHypothesis {
   SlidingWindow window;
   Eigen::VectorXd values;             // of the graph
   MapErrorConditionals conditionals;  // of the maps' errors, by where this one went
-  bool taken_up = false;              // from elsewhere, and not yet the best
-  double forgotten_nats = 0;          // of its mass, by what it does not hold itself
   // As last weighed:
   PointUncertainty uncertainty;  // of the window's part
   double negative_log_mass = 0;  // of all that was ever in the window
+  // Of one that was taken up from elsewhere:
+  bool taken_up = false;      // and has not been the best yet
+  double forgotten_nats = 0;  // of its mass, by what the window does not hold
 };
 
 // Takes the graph to a hypothesis: its values, and the maps' errors conditioned as it has them.

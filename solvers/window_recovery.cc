@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "graph/graph_part.h"
-#include "solvers/initial_trajectory.h"
 
 namespace walkgraph {
 namespace {
@@ -39,6 +39,19 @@ bool GoesBy(const Mode& mode, const Trajectory& track, TimeNs since_ns,
 
 }  // namespace
 
+std::vector<InitialTrajectory> TracksAndProposals(const std::vector<Trajectory>& tracks,
+                                                  const Site& site, const Evidence& evidence,
+                                                  const FactorSettings& factors,
+                                                  const SolverSettings& solver,
+                                                  const FloorPath& floors) {
+  std::vector<InitialTrajectory> starts;
+  for (const Trajectory& track : tracks) starts.push_back({"track", track});
+  std::vector<InitialTrajectory> proposals =
+      ProposeTrajectories(site, evidence, factors, solver, floors);
+  std::move(proposals.begin(), proposals.end(), std::back_inserter(starts));
+  return starts;
+}
+
 std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
                                      const FactorSettings& factors, const SolverSettings& solver,
                                      const std::vector<Trajectory>& tracks, TimeNs window_begin_ns,
@@ -46,11 +59,8 @@ std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
   Stretch stretch{BuildWalkGraph(site, recent, factors, floors), {}, {}};
   WalkGraph& walk = stretch.walk;
   if (!walk.first_absolute_position_ns) return std::nullopt;
-  std::vector<InitialTrajectory> starts;
-  for (const Trajectory& track : tracks) starts.push_back({"track", track});
-  for (InitialTrajectory& start : ProposeTrajectories(site, recent, factors, solver, floors)) {
-    starts.push_back(std::move(start));
-  }
+  const std::vector<InitialTrajectory> starts =
+      TracksAndProposals(tracks, site, recent, factors, solver, floors);
   int failed_solves = 0;
   stretch.modes =
       FindModes(starts, WholeGraph(walk.graph), walk.node_ns.back(), solver, &walk, &failed_solves);

@@ -12,10 +12,18 @@
 #include "frontends/radio_map/site.h"
 #include "graph/linear_prior.h"
 #include "graph/walk_graph.h"
+#include "solvers/initial_trajectory.h"
 #include "solvers/modes.h"
 #include "solvers/settings.h"
 
 namespace walkgraph {
+
+// The tracks that a window follows, then what the evidence proposes: starts for FindModes.
+std::vector<InitialTrajectory> TracksAndProposals(const std::vector<Trajectory>& tracks,
+                                                  const Site& site, const Evidence& evidence,
+                                                  const FactorSettings& factors,
+                                                  const SolverSettings& solver,
+                                                  const FloorPath& floors);
 
 // Where a track that a window follows stands in a stretch.
 struct TrackPlace {

@@ -25,8 +25,7 @@ WindowRun::WindowRun(const Site& site, const Evidence& evidence, const FactorSet
       walk_(BuildWalkGraph(site, evidence, factors, floors)),
       dead_reckoning_(DeadReckon(site, evidence, factors)) {
   const FactorGraph& graph = walk_.graph;
-  hypotheses_.push_back(
-      {SlidingWindow(&walk_.graph), graph.values(), Conditionals(walk_), false, 0, {}, 0});
+  hypotheses_.push_back({SlidingWindow(&walk_.graph), graph.values(), Conditionals(walk_), {}});
   waiting_.resize(graph.factors().size());
   std::iota(waiting_.begin(), waiting_.end(), 0);
   std::stable_sort(waiting_.begin(), waiting_.end(), [&graph](int a, int b) {
@@ -255,8 +254,7 @@ std::vector<int> WindowRun::LeavingBlocks(std::size_t first_kept) const {
 
 // The best hypothesis's values, with the covariance of the mixture of all about them.
 void WindowRun::Report(const std::vector<int>& blocks) {
-  std::vector<WindowHypothesis> widened = hypotheses_;
-  for (WindowHypothesis& hypothesis : widened) {
+  for (WindowHypothesis& hypothesis : hypotheses_) {  // until they are weighed again
     GoTo(hypothesis, &walk_);
     WidenOffSurvey(walk_, hypothesis.window.part(), solver_.map_error_test,
                    &hypothesis.uncertainty);
@@ -267,7 +265,7 @@ void WindowRun::Report(const std::vector<int>& blocks) {
         hypotheses_.front().values.segment(state.offset, state.size());
     if (state.constant) continue;
     reported_.uncertainty.covariance[static_cast<std::size_t>(block)] =
-        MixtureCovariance(walk_.graph, widened, block);
+        MixtureCovariance(walk_.graph, hypotheses_, block);
   }
 }
 

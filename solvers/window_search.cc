@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "solvers/evidence_order.h"
-#include "solvers/initial_trajectory.h"
 #include "solvers/window_run.h"
 
 // How a WindowRun comes by the hypotheses that it follows: from starts while nothing has left the
@@ -28,18 +27,11 @@ bool WindowRun::StartIsDue(TimeNs now_ns, bool full) const {
 void WindowRun::Restart(std::size_t node, bool full) {
   const TimeNs now_ns = walk_.node_ns[node];
   const SlidingWindow start_window = window();
-  std::vector<InitialTrajectory> starts;
-  if (started_full_) {
-    for (Trajectory& track : Tracks(walk_.node_ns.front(), node)) {
-      starts.push_back({"track", std::move(track)});
-    }
-  }
-  for (InitialTrajectory& start :
-       ProposeTrajectories(site_, Seen(node), factors_, solver_, walk_.floors)) {
-    starts.push_back(std::move(start));
-  }
+  const std::vector<Trajectory> tracks =
+      started_full_ ? Tracks(walk_.node_ns.front(), node) : std::vector<Trajectory>{};
   std::vector<Mode> modes =
-      FindModes(starts, start_window.part(), now_ns, solver_, &walk_, &failed_solves_);
+      FindModes(TracksAndProposals(tracks, site_, Seen(node), factors_, solver_, walk_.floors),
+                start_window.part(), now_ns, solver_, &walk_, &failed_solves_);
   started_ns_ = now_ns;
   started_full_ = full;
   const int most = full ? std::max(1, settings_.hypotheses) : 1;
@@ -51,7 +43,7 @@ void WindowRun::Restart(std::size_t node, bool full) {
       break;
     }
     hypotheses_.push_back({start_window, std::move(mode.values), std::move(mode.conditionals),
-                           false, 0, std::move(mode.uncertainty), mode.negative_log_mass});
+                           std::move(mode.uncertainty), mode.negative_log_mass});
   }
 }
 

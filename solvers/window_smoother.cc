@@ -25,8 +25,8 @@ EstimateResult WindowSmoother::Estimate(const Site& site, const Evidence& unsort
   AppendFloorStates(track, &result.slow_states);
   result.innovations = ToFactorStatistics(PoolByType(run.innovations()));
   if (run.waited_s() > 1.0) {
-    result.messages.push_back("grew by " + std::to_string(std::lround(run.waited_s())) +
-                              " s until the walk was located");
+    result.messages.push_back("waited " + std::to_string(std::lround(run.waited_s())) +
+                              " s more than its length for the walk to be located");
   }
   if (run.recoveries() > 0) {
     result.messages.push_back("lost the track and took it up elsewhere " +

@@ -30,15 +30,15 @@ Eigen::Vector2d MiddleOfSurvey(const Site& site, int floor) {
 
 }  // namespace
 
-EstimateResult Viterbi::Estimate(const Site& site, const Evidence& unfloored) const {
+EstimateResult Viterbi::Estimate(const Site& site, const Evidence& recorded) const {
   EstimateResult result;
   if (site.SurveyedFloors().empty()) {
     result.status = EstimateStatus::kUnsupported;
     result.messages.emplace_back("the site has no radio map");
     return result;
   }
-  const FloorPath floors = TrackFloors(site, unfloored, factors_).path;
-  Evidence evidence = unfloored;
+  const FloorPath floors = TrackFloors(site, recorded, factors_).path;
+  Evidence evidence = recorded;
   ShortenStairSteps(floors, factors_.step, &evidence);
   const DeadReckonedPath walk = DeadReckon(site, evidence, factors_);
   const std::vector<DiscretePath> paths =

@@ -70,7 +70,7 @@ WalkGraph TwoRounds(const FloorPath& floors, double correlation_s) {
   settings.correlation_m = 20;
   settings.correlation_s = correlation_s;
   settings.knot_s = 5;
-  AddMapErrorState(BlockKind::kMapError, settings, kSigmaM, &walk);
+  AddMapErrorState(BlockKind::kMapError, settings, kSigmaM, {}, &walk);
   return walk;
 }
 

@@ -106,8 +106,8 @@ TEST(WindowSmootherTest, KeepsItsNodesUntilTheWalkIsLocated) {
   EXPECT_LT(waiting_sum, hasty_sum);
 }
 
-// A window that lets nodes leave while the walk is anywhere on the ring loses the track. It takes
-// it up again where the whole walk says, and is as good at the end.
+// A window that lets nodes leave while the walk is anywhere on the ring loses the track, and takes
+// it up again before the end.
 TEST(WindowSmootherTest, FindsALostTrackAgain) {
   int found_again = 0;
   for (std::uint32_t seed = 1; seed <= 6; ++seed) {
