@@ -45,7 +45,7 @@ std::vector<PlacedEvidence> EvidenceOnLattice(const Site& site, const Evidence& 
                        PriorOfRssiOffset(site, evidence, map->radio, settings.rssi_offset),
                        settings.fingerprint.loss, sweeps);
     for (std::size_t s = 0; s < sweeps.size(); ++s) {
-      Append(sweeps[s].mean_heard_ns, (*nats)[s], &placed);
+      Append(sweeps[s].mean_heard_ns, *nats[s], &placed);
     }
   }
   for (const PositionAnchor& anchor : evidence.anchors) {

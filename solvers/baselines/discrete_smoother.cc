@@ -48,7 +48,7 @@ class Emissions {
         EvaluateSweeps(map, lattice_.centers_m(),
                        PriorOfRssiOffset(site, evidence, map.radio, settings.rssi_offset),
                        settings.fingerprint.loss, sweeps);
-    for (std::size_t s = 0; s < sweeps.size(); ++s) AddMoved(sweeps[s].mean_heard_ns, (*costs)[s]);
+    for (std::size_t s = 0; s < sweeps.size(); ++s) AddMoved(sweeps[s].mean_heard_ns, *costs[s]);
     any_ = true;
   }
 

@@ -1,11 +1,10 @@
 #include "solvers/baselines/sweep_costs.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <list>
-#include <set>
+#include <map>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -39,61 +38,77 @@ class ContentHash {
   std::uint64_t value_ = 0;
 };
 
-void AddField(const RadioMap::TransmitterField& field, ContentHash* hash) {
-  hash->Add(field.transmitter, field.column, field.row, field.columns, field.rows);
-  hash->Add(field.background_mean_dbm, field.background_log_sigma, field.background_logit_hear);
+std::uint64_t HashOfField(const RadioMap::TransmitterField& field) {
+  ContentHash hash;
+  hash.Add(field.transmitter, field.column, field.row, field.columns, field.rows);
+  hash.Add(field.background_mean_dbm, field.background_log_sigma, field.background_logit_hear);
   for (const std::vector<float>* values : {&field.mean_dbm, &field.log_sigma, &field.logit_hear}) {
-    hash->Add(std::span<const float>(*values));
+    hash.Add(std::span<const float>(*values));
   }
+  return hash.value();
 }
 
-// Of the map only the fields that the sweeps ask for: all would take as long as the answer.
+// What all sweeps share: the places, what the map has besides its transmitters, the offset and the
+// loss.
 std::uint64_t HashOfPlaces(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
-                           std::span<const MapSweep> sweeps) {
+                           const RssiOffsetPrior& offset, const LossSettings& loss) {
   ContentHash hash;
   hash.Add(map.grid.origin_m.x(), map.grid.origin_m.y(), map.grid.spacing_m, map.grid.columns,
            map.grid.rows, map.sigma_min_db, map.hear_weight);
-  std::set<int> asked;
-  for (const MapSweep& sweep : sweeps) {
-    for (const MapSweep::Reading& reading : sweep.readings) asked.insert(reading.field);
-  }
-  for (const int field : asked) AddField(map.fields[static_cast<std::size_t>(field)], &hash);
   hash.Add(std::span<const float>(map.silence_nats));
+  hash.Add(offset.mean_db, offset.sigma_db, loss.kind, loss.scale);
   for (const Eigen::Vector2d& position : positions_m) hash.Add(position.x(), position.y());
   return hash.value();
 }
 
-std::uint64_t HashOfSweeps(const RssiOffsetPrior& offset, const LossSettings& loss,
-                           std::span<const MapSweep> sweeps) {
-  ContentHash hash;
-  hash.Add(offset.mean_db, offset.sigma_db, loss.kind, loss.scale);
-  for (const MapSweep& sweep : sweeps) {
+// Reads of the map only the fields that sweeps ask for, each once: all would take as long as the
+// answer.
+class SweepHasher {
+ public:
+  explicit SweepHasher(const RadioMap& map) : map_(map) {}
+
+  std::uint64_t operator()(const MapSweep& sweep) {
+    ContentHash hash;
     hash.Add(sweep.weight, sweep.silence_share, sweep.readings.size());
     for (const MapSweep::Reading& reading : sweep.readings) {
-      hash.Add(reading.field, reading.rssi_dbm, reading.precision);
+      hash.Add(reading.rssi_dbm, reading.precision);
+      hash.Add(OfField(reading.field));
     }
+    return hash.value();
   }
-  return hash.value();
-}
+
+ private:
+  std::uint64_t OfField(int field) {
+    const auto [known, is_new] = of_field_.try_emplace(field);
+    if (is_new) known->second = HashOfField(map_.fields[static_cast<std::size_t>(field)]);
+    return known->second;
+  }
+
+  const RadioMap& map_;
+  std::map<int, std::uint64_t> of_field_;
+};
 
 class RecentCosts {
  public:
-  using Key = std::pair<std::uint64_t, std::uint64_t>;
+  using Key = std::pair<std::uint64_t, std::uint64_t>;  // of places, of a sweep
+  using Costs = SweepCosts::value_type;
 
-  std::shared_ptr<const SweepCosts> Find(const Key& key) {
-    const auto known = std::find_if(recent_.begin(), recent_.end(),
-                                    [&key](const Entry& entry) { return entry.key == key; });
-    if (known == recent_.end()) return nullptr;
-    recent_.splice(recent_.begin(), recent_, known);
+  Costs Find(const Key& key) {
+    const auto known = by_key_.find(key);
+    if (known == by_key_.end()) return nullptr;
+    recent_.splice(recent_.begin(), recent_, known->second);
     return recent_.front().costs;
   }
 
-  void Keep(const Key& key, std::shared_ptr<const SweepCosts> costs, std::size_t numbers) {
-    if (numbers > kMostNumbers) return;
-    recent_.push_front({key, std::move(costs), numbers});
-    numbers_ += numbers;
+  void Keep(const Key& key, Costs costs) {
+    const auto [known, is_new] = by_key_.try_emplace(key);
+    if (!is_new) return;  // two sweeps alike
+    numbers_ += costs->size();
+    recent_.push_front({key, std::move(costs)});
+    known->second = recent_.begin();
     while (numbers_ > kMostNumbers) {
-      numbers_ -= recent_.back().numbers;
+      numbers_ -= recent_.back().costs->size();
+      by_key_.erase(recent_.back().key);
       recent_.pop_back();
     }
   }
@@ -102,27 +117,38 @@ class RecentCosts {
   static constexpr std::size_t kMostNumbers = 4'000'000;  // 16 MB
   struct Entry {
     Key key;
-    std::shared_ptr<const SweepCosts> costs;
-    std::size_t numbers = 0;
+    Costs costs;
   };
   std::list<Entry> recent_;  // last asked for first
+  std::map<Key, std::list<Entry>::iterator> by_key_;
   std::size_t numbers_ = 0;
 };
 
 }  // namespace
 
-std::shared_ptr<const SweepCosts> EvaluateSweeps(const RadioMap& map,
-                                                 std::span<const Eigen::Vector2d> positions_m,
-                                                 const RssiOffsetPrior& offset,
-                                                 const LossSettings& loss,
-                                                 std::span<const MapSweep> sweeps) {
+SweepCosts EvaluateSweeps(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
+                          const RssiOffsetPrior& offset, const LossSettings& loss,
+                          std::span<const MapSweep> sweeps) {
   static thread_local RecentCosts recent;
-  const RecentCosts::Key key = {HashOfPlaces(map, positions_m, sweeps),
-                                HashOfSweeps(offset, loss, sweeps)};
-  if (auto known = recent.Find(key)) return known;
-  const LikelihoodGrid grid(map, positions_m, offset, loss);
-  auto costs = std::make_shared<const SweepCosts>(grid.Evaluate(sweeps));
-  recent.Keep(key, costs, positions_m.size() * sweeps.size());
+  const std::uint64_t places = HashOfPlaces(map, positions_m, offset, loss);
+  SweepHasher hash_of(map);
+  SweepCosts costs;
+  std::vector<std::size_t> missing;  // of the sweeps
+  std::vector<RecentCosts::Key> keys;
+  for (const MapSweep& sweep : sweeps) {
+    keys.emplace_back(places, hash_of(sweep));
+    costs.push_back(recent.Find(keys.back()));
+    if (!costs.back()) missing.push_back(costs.size() - 1);
+  }
+  if (missing.empty()) return costs;
+  std::vector<MapSweep> asked;
+  for (const std::size_t s : missing) asked.push_back(sweeps[s]);
+  auto evaluated = LikelihoodGrid(map, positions_m, offset, loss).Evaluate(asked);
+  for (std::size_t m = 0; m < missing.size(); ++m) {
+    auto& cost = costs[missing[m]];
+    cost = std::make_shared<const std::vector<float>>(std::move(evaluated[m]));
+    recent.Keep(keys[missing[m]], cost);
+  }
   return costs;
 }
 

@@ -191,6 +191,8 @@ TEST(EvaluateSweeps, IsTheGridsAnswerHoweverOftenAndInWhateverOrder) {
       CollectMapSweeps(one.site, one.site.maps.front(), evidence, FingerprintSettings());
   auto louder = sweeps;
   louder[2].readings[0].rssi_dbm += 1;
+  auto backwards_twice = sweeps;
+  backwards_twice.insert(backwards_twice.end(), sweeps.rbegin(), sweeps.rend());
   const std::vector<Eigen::Vector2d> positions = {{5, 5}, {20, 12}, {33, 8}};
   const std::vector<Eigen::Vector2d> moved = {{5, 5}, {20, 12}, {33, 9}};
   const LossSettings none, huber = {LossKind::kHuber, 1.345};
@@ -200,12 +202,14 @@ TEST(EvaluateSweeps, IsTheGridsAnswerHoweverOftenAndInWhateverOrder) {
                                              &altered};
   for (int round = 0; round < 2; ++round) {
     for (const RadioMap* map : maps) {
-      for (const auto& scans : {sweeps, louder}) {
+      for (const auto& scans : {sweeps, louder, backwards_twice}) {
         for (const auto& places : {positions, moved}) {
           for (const LossSettings& loss : {none, huber}) {
             for (const RssiOffsetPrior& offset : {RssiOffsetPrior{0, 3}, RssiOffsetPrior{2, 3}}) {
-              EXPECT_EQ(*EvaluateSweeps(*map, places, offset, loss, scans),
-                        LikelihoodGrid(*map, places, offset, loss).Evaluate(scans));
+              const auto costs = EvaluateSweeps(*map, places, offset, loss, scans);
+              const auto expected = LikelihoodGrid(*map, places, offset, loss).Evaluate(scans);
+              ASSERT_EQ(costs.size(), expected.size());
+              for (std::size_t s = 0; s < costs.size(); ++s) EXPECT_EQ(*costs[s], expected[s]);
             }
           }
         }
