@@ -26,9 +26,13 @@ inline std::unique_ptr<ceres::LossFunction> MakeLoss(const LossSettings& setting
   return nullptr;
 }
 
+// Whether a loss is for single rows of a residual: the truncated one is for whole factors.
+inline bool IsForRows(const LossSettings& loss) {
+  return loss.kind == LossKind::kHuber || loss.kind == LossKind::kCauchy;
+}
+
 // A row of a residual under a loss of its own, for factors of many rows of which each may be an
-// outlier: value = sign(z) sqrt(rho(z^2)), so that half its square is the robust cost. Huber and
-// Cauchy alone: the truncated loss is for whole factors.
+// outlier: value = sign(z) sqrt(rho(z^2)), so that half its square is the robust cost.
 struct RobustRow {
   double value = 0;
   double slope = 1;  // d value / d z

@@ -10,49 +10,6 @@
 namespace walkgraph {
 namespace {
 
-// What a sweep's readings sum up to at a position: -log p without offset, and its first and
-// (negative) second derivative by a common offset.
-struct Terms {
-  float nats = 0;
-  float slope = 0;
-  float information = 0;
-
-  Terms& operator+=(const Terms& other) {
-    nats += other.nats;
-    slope += other.slope;
-    information += other.information;
-    return *this;
-  }
-  friend Terms operator-(const Terms& a, const Terms& b) {
-    return {a.nats - b.nats, a.slope - b.slope, a.information - b.information};
-  }
-};
-
-struct NegativeLog {
-  float mean_dbm = 0;
-  float inverse_sigma = 0;
-  float constant_nats = 0;  // log(sigma / sigma_min) - h logit
-
-  Terms At(float rssi_dbm, float root_precision, const LossSettings& loss) const {
-    const float inverse = root_precision * inverse_sigma;
-    const RobustCost cost = CostUnderLoss(loss, (rssi_dbm - mean_dbm) * inverse);
-    return {cost.nats + constant_nats, cost.slope * inverse, cost.weight * inverse * inverse};
-  }
-};
-
-NegativeLog MakeNegativeLog(float mean_dbm, float log_sigma, float weighted_logit,
-                            float log_sigma_min) {
-  return {mean_dbm, std::exp(-log_sigma), log_sigma - log_sigma_min - weighted_logit};
-}
-
-// -log p with the offset integrated out.
-float IntegrateOffset(const Terms& terms, float variance_db2) {
-  if (variance_db2 <= 0) return terms.nats;
-  const float spread = 1.0F + variance_db2 * terms.information;
-  return terms.nats - 0.5F * variance_db2 * terms.slope * terms.slope / spread +
-         0.5F * std::log(spread);
-}
-
 // A transmitter's control values with a margin of three background points, so that every window of
 // 4 x 4 that touches the rectangle lies inside.
 class PaddedControls {
@@ -87,10 +44,50 @@ class PaddedControls {
 
 }  // namespace
 
-// One transmitter at the positions of its segments, one after the other.
+// What readings sum up to at each position: -log p without offset, and its first and (negative)
+// second derivative by a common offset.
+struct LikelihoodGrid::Terms {
+  explicit Terms(Eigen::Index size)
+      : nats(Eigen::ArrayXf::Zero(size)),
+        slope(Eigen::ArrayXf::Zero(size)),
+        information(Eigen::ArrayXf::Zero(size)) {}
+
+  // -log p with the offset integrated out.
+  Eigen::ArrayXf IntegrateOffset(float variance_db2) const {
+    if (variance_db2 <= 0) return nats;
+    const Eigen::ArrayXf spread = 1.0F + variance_db2 * information;
+    return nats - 0.5F * variance_db2 * slope.square() / spread + 0.5F * spread.log();
+  }
+
+  Eigen::ArrayXf nats, slope, information;
+};
+
+// One transmitter at the positions of its segments, one after the other, and then its background.
 struct LikelihoodGrid::FieldSamples {
-  std::vector<NegativeLog> at;
-  NegativeLog background;
+  explicit FieldSamples(Eigen::Index size)
+      : mean_dbm(size), inverse_sigma(size), constant_nats(size) {}
+
+  // Of one reading.
+  void Evaluate(float rssi_dbm, float root_precision, const LossSettings& loss,
+                Terms* terms) const {
+    terms->slope = root_precision * inverse_sigma;
+    terms->nats = (rssi_dbm - mean_dbm) * terms->slope;  // whitened
+    terms->information = terms->slope.square();
+    if (!IsForRows(loss)) {
+      terms->slope *= terms->nats;
+      terms->nats = 0.5F * terms->nats.square() + constant_nats;
+      return;
+    }
+    for (Eigen::Index i = 0; i < mean_dbm.size(); ++i) {
+      const RobustCost cost = CostUnderLoss(loss, terms->nats[i]);
+      terms->nats[i] = cost.nats + constant_nats[i];
+      terms->slope[i] *= cost.slope;
+      terms->information[i] *= cost.weight;
+    }
+  }
+
+  Eigen::ArrayXf mean_dbm, inverse_sigma;
+  Eigen::ArrayXf constant_nats;  // log(sigma / sigma_min) - h logit
 };
 
 // One reading of one field in one of the sweeps.
@@ -142,21 +139,27 @@ std::vector<LikelihoodGrid::Segment> LikelihoodGrid::TouchedSegments(
 
 LikelihoodGrid::FieldSamples LikelihoodGrid::Sample(const RadioMap::TransmitterField& field,
                                                     const std::vector<Segment>& segments) const {
-  const auto log_sigma_min = static_cast<float>(std::log(map_.sigma_min_db));
   const PaddedControls mean(field, field.mean_dbm, field.background_mean_dbm);
   const PaddedControls log_sigma(field, field.log_sigma, field.background_log_sigma);
   const PaddedControls logit(field, field.logit_hear, field.background_logit_hear);
-  const auto hear_weight = static_cast<float>(map_.hear_weight);
-  FieldSamples samples;
-  samples.background = MakeNegativeLog(field.background_mean_dbm, field.background_log_sigma,
-                                       hear_weight * field.background_logit_hear, log_sigma_min);
+  Eigen::Index size = 1;
+  for (const Segment& segment : segments) size += segment.size();
+  FieldSamples samples(size);
+  Eigen::ArrayXf log_sigmas(size), logits(size);
+  Eigen::Index at = 0;
   for (const Segment& segment : segments) {
-    for (std::size_t i = segment.begin; i < segment.end; ++i) {
-      samples.at.push_back(
-          MakeNegativeLog(mean.At(cell_[i], weights_[i]), log_sigma.At(cell_[i], weights_[i]),
-                          hear_weight * logit.At(cell_[i], weights_[i]), log_sigma_min));
+    for (std::size_t i = segment.begin; i < segment.end; ++i, ++at) {
+      samples.mean_dbm[at] = mean.At(cell_[i], weights_[i]);
+      log_sigmas[at] = log_sigma.At(cell_[i], weights_[i]);
+      logits[at] = logit.At(cell_[i], weights_[i]);
     }
   }
+  samples.mean_dbm[at] = field.background_mean_dbm;
+  log_sigmas[at] = field.background_log_sigma;
+  logits[at] = field.background_logit_hear;
+  samples.inverse_sigma = (-log_sigmas).exp();
+  samples.constant_nats = log_sigmas - static_cast<float>(std::log(map_.sigma_min_db)) -
+                          static_cast<float>(map_.hear_weight) * logits;
   return samples;
 }
 
@@ -174,39 +177,55 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
 
   // In sorted order: what a position differs from all transmitters at their background, which is
   // one constant per sweep.
-  std::vector<std::vector<Terms>> sorted(sweeps.size(), std::vector<Terms>(cell_.size()));
-  std::vector<Terms> background(sweeps.size());
+  const auto places = static_cast<Eigen::Index>(cell_.size());
+  std::vector<Terms> sorted(sweeps.size(), Terms(places));
+  std::vector<Terms> background(sweeps.size(), Terms(1));
+  Terms terms(0);
   for (auto hearing = hearings.begin(); hearing != hearings.end();) {
     const RadioMap::TransmitterField& field = map_.fields[static_cast<std::size_t>(hearing->field)];
     const std::vector<Segment> segments = TouchedSegments(field);
     const FieldSamples samples = Sample(field, segments);
     for (const int current = hearing->field; hearing != hearings.end() && hearing->field == current;
          ++hearing) {
-      const float rssi_dbm = hearing->rssi_dbm, root_precision = hearing->root_precision;
-      const Terms constant = samples.background.At(rssi_dbm, root_precision, loss_);
-      background[hearing->sweep] += constant;
-      const NegativeLog* at = samples.at.data();
-      for (const Segment& segment : segments) {
-        Terms* sum = sorted[hearing->sweep].data();
-        for (std::size_t i = segment.begin; i < segment.end; ++i) {
-          sum[i] += at++->At(rssi_dbm, root_precision, loss_) - constant;
-        }
-      }
+      samples.Evaluate(hearing->rssi_dbm, hearing->root_precision, loss_, &terms);
+      AddDifferences(terms, segments, &sorted[hearing->sweep], &background[hearing->sweep]);
     }
   }
 
   std::vector<std::vector<float>> nats(sweeps.size(), std::vector<float>(cell_.size()));
+  const auto silence = Eigen::ArrayXf::Map(silence_nats_.data(), places);
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     const auto weight = static_cast<float>(sweeps[s].weight);
     const auto share = static_cast<float>(map_.hear_weight * sweeps[s].silence_share);
     const auto variance = static_cast<float>(offset_.sigma_db * offset_.sigma_db);
+    sorted[s].nats += background[s].nats[0];
+    sorted[s].slope += background[s].slope[0];
+    sorted[s].information += background[s].information[0];
+    const Eigen::ArrayXf cost = weight * (sorted[s].IntegrateOffset(variance) + share * silence);
     for (std::size_t i = 0; i < cell_.size(); ++i) {
-      sorted[s][i] += background[s];
-      nats[s][original_index_[i]] =
-          weight * (IntegrateOffset(sorted[s][i], variance) + share * silence_nats_[i]);
+      nats[s][original_index_[i]] = cost[static_cast<Eigen::Index>(i)];
     }
   }
   return nats;
+}
+
+// Of one reading: the background's own, which comes last, and what each place differs from it.
+void LikelihoodGrid::AddDifferences(const Terms& terms, const std::vector<Segment>& segments,
+                                    Terms* sums, Terms* background) {
+  const Eigen::Index last = terms.nats.size() - 1;
+  background->nats[0] += terms.nats[last];
+  background->slope[0] += terms.slope[last];
+  background->information[0] += terms.information[last];
+  Eigen::Index at = 0;
+  for (const Segment& segment : segments) {
+    const auto begin = static_cast<Eigen::Index>(segment.begin);
+    const Eigen::Index size = segment.size();
+    sums->nats.segment(begin, size) += terms.nats.segment(at, size) - terms.nats[last];
+    sums->slope.segment(begin, size) += terms.slope.segment(at, size) - terms.slope[last];
+    sums->information.segment(begin, size) +=
+        terms.information.segment(at, size) - terms.information[last];
+    at += size;
+  }
 }
 
 }  // namespace walkgraph

@@ -37,13 +37,17 @@ class LikelihoodGrid {
  private:
   struct Segment {
     std::size_t begin = 0, end = 0;  // into the positions sorted by cell
+    Eigen::Index size() const { return static_cast<Eigen::Index>(end - begin); }
   };
+  struct Terms;
   struct FieldSamples;
   struct Hearing;
 
   std::vector<Segment> TouchedSegments(const RadioMap::TransmitterField& field) const;
   FieldSamples Sample(const RadioMap::TransmitterField& field,
                       const std::vector<Segment>& segments) const;
+  static void AddDifferences(const Terms& terms, const std::vector<Segment>& segments, Terms* sums,
+                             Terms* background);
 
   const RadioMap& map_;
   RssiOffsetPrior offset_;
