@@ -24,6 +24,11 @@ class HearingModel {
   void Fill(const std::vector<std::size_t>& heard, RadioMap::TransmitterField* field) const;
 
  private:
+  struct Rectangle {  // of control points
+    int column = 0, row = 0, columns = 0, rows = 0;
+  };
+  // The kernels of sweeps summed up at every control point, row-major.
+  std::vector<double> Count(const std::vector<std::size_t>& sweeps, const Rectangle& area) const;
   double Kernel(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
 
   FieldGrid grid_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "frontends/radio_map/hearing.h"
 #include "frontends/radio_map/survey_scans.h"
@@ -15,27 +16,32 @@ namespace {
 // ladders.
 constexpr std::size_t kFitTransmitters = 60;
 
+// One sample of each walk in each cell.
 std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings, double spacing_m) {
   using Key = std::tuple<std::uint32_t, long, long>;
-  std::map<Key, std::pair<FieldSample, int>> cells;
+  std::vector<std::pair<Key, const FieldSample*>> by_cell;
+  by_cell.reserve(readings.size());
   for (const FieldSample& reading : readings) {
     const Eigen::Vector2d cell = reading.position_m / spacing_m;
-    auto& [sum, count] = cells[{reading.walk, std::lround(cell.x()), std::lround(cell.y())}];
-    sum.position_m += reading.position_m;
-    sum.rssi_dbm += reading.rssi_dbm;
-    sum.scatter_db2 += reading.rssi_dbm * reading.rssi_dbm;
-    sum.walk = reading.walk;
-    sum.trial = reading.trial;
-    ++count;
+    by_cell.push_back({{reading.walk, std::lround(cell.x()), std::lround(cell.y())}, &reading});
   }
+  std::sort(by_cell.begin(), by_cell.end());  // readings of a cell in their order
   std::vector<FieldSample> samples;
-  samples.reserve(cells.size());
-  for (auto& [key, cell] : cells) {
-    cell.first.position_m /= cell.second;
-    cell.first.rssi_dbm /= cell.second;
-    const double mean_square = cell.first.scatter_db2 / cell.second;
-    cell.first.scatter_db2 = std::max(0.0, mean_square - cell.first.rssi_dbm * cell.first.rssi_dbm);
-    samples.push_back(cell.first);
+  for (auto first = by_cell.begin(); first != by_cell.end();) {
+    FieldSample sum{.walk = first->second->walk, .trial = first->second->trial};
+    auto next = first;
+    for (; next != by_cell.end() && next->first == first->first; ++next) {
+      const FieldSample& reading = *next->second;
+      sum.position_m += reading.position_m;
+      sum.rssi_dbm += reading.rssi_dbm;
+      sum.scatter_db2 += reading.rssi_dbm * reading.rssi_dbm;
+    }
+    const auto count = static_cast<int>(next - first);
+    sum.position_m /= count;
+    sum.rssi_dbm /= count;
+    sum.scatter_db2 = std::max(0.0, sum.scatter_db2 / count - sum.rssi_dbm * sum.rssi_dbm);
+    samples.push_back(sum);
+    first = next;
   }
   return samples;
 }
@@ -162,6 +168,8 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
                                                scan->walk, scan->trial});
     }
   }
+  std::size_t index = 0;
+  std::erase_if(readings, [&](const auto&) { return index++ % detail.keep_every != 0; });
   for (auto& [transmitter, list] : readings) {
     double spacing_m = settings.sample_spacing_m;
     std::vector<FieldSample> merged = MergeReadings(list, spacing_m);
@@ -221,10 +229,7 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
 MapInput MakeMapInput(const FloorSurvey& survey, const TrainerSettings& settings,
                       const MapDetail& detail) {
   MapInput input{survey.floor, survey.radio, survey.grid, {}, {}, {}, {}};
-  std::size_t index = 0;
-  for (const auto& [transmitter, list] : CollectSamples(survey.scans, settings, detail)) {
-    if (index++ % detail.keep_every == 0) input.samples[transmitter] = list;
-  }
+  input.samples = CollectSamples(survey.scans, settings, detail);
   input.heard_in = HeardIn(survey.scans);
   input.sweep_places = SweepPlaces(survey.scans);
   input.survey_distance_m = SurveyDistanceField(survey.grid, input.sweep_places);
