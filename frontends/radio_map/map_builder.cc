@@ -132,22 +132,27 @@ double LeastSigma(const std::vector<RadioMap::TransmitterField>& fields) {
 // Distance of every control point to the nearest scan.
 std::vector<float> SurveyDistanceField(const FieldGrid& grid,
                                        const std::vector<Eigen::Vector2d>& sweep_places) {
+  if (sweep_places.empty()) {
+    return std::vector<float>(static_cast<std::size_t>(grid.columns) * grid.rows,
+                              std::numeric_limits<float>::infinity());
+  }
   // Places closer than a fraction of the grid's spacing are one.
-  std::map<std::pair<long, long>, Eigen::Vector2f> places;
+  std::map<std::pair<long, long>, Eigen::Vector2f> cells;
   const float cell_m = 0.25F * static_cast<float>(grid.spacing_m);
   for (const Eigen::Vector2d& place : sweep_places) {
     const Eigen::Vector2f at = place.cast<float>();
-    places.try_emplace({std::lround(at.x() / cell_m), std::lround(at.y() / cell_m)}, at);
+    cells.try_emplace({std::lround(at.x() / cell_m), std::lround(at.y() / cell_m)}, at);
   }
+  Eigen::Array2Xf places(2, static_cast<Eigen::Index>(cells.size()));
+  Eigen::Index i = 0;
+  for (const auto& [cell, place] : cells) places.col(i++) = place;
+  const Eigen::ArrayXf x = places.row(0), y = places.row(1);
   std::vector<float> distances;
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       const Eigen::Vector2f control =
           (grid.origin_m + grid.spacing_m * Eigen::Vector2d(column, row)).cast<float>();
-      float nearest = std::numeric_limits<float>::infinity();
-      for (const auto& [cell, place] : places) {
-        nearest = std::min(nearest, (place - control).squaredNorm());
-      }
+      const float nearest = ((x - control.x()).square() + (y - control.y()).square()).minCoeff();
       distances.push_back(std::sqrt(nearest));
     }
   }
