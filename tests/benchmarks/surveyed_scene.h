@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "data/dataset.h"
@@ -57,27 +58,47 @@ inline const SurveyedScene* SampleScene() {
   return kScene;
 }
 
-// A recorded floor and its walk that is closest to half a minute long; nullptr where
-// WALKGRAPH_REAL_DATA does not lead to it.
-inline const SurveyedScene* RecordedScene() {
-  static const SurveyedScene* const kScene = []() -> const SurveyedScene* {
+// A recorded floor; nullptr where WALKGRAPH_REAL_DATA does not lead to it.
+struct RecordedFloor {
+  Building building;
+  std::vector<LoadedWalk> walks;
+};
+inline const RecordedFloor* Recorded() {
+  static const RecordedFloor* const kFloor = []() -> const RecordedFloor* {
     const char* root = std::getenv("WALKGRAPH_REAL_DATA");
     const std::string folder = root == nullptr ? "" : std::string(root) + "/ilc20/data/site1/F2";
     if (!std::filesystem::is_directory(folder)) return nullptr;
     const Dataset dataset = OpenDataset(folder);
-    const std::vector<LoadedWalk> walks = LoadAll(dataset, dataset.building);
+    return new RecordedFloor{dataset.building, LoadAll(dataset, dataset.building)};
+  }();
+  return kFloor;
+}
+
+// The floor without its walk that is closest to half a minute long, and that walk; nullptr where
+// there is no floor.
+inline const SurveyedScene* RecordedScene() {
+  static const SurveyedScene* const kScene = []() -> const SurveyedScene* {
+    const RecordedFloor* floor = Recorded();
+    if (floor == nullptr) return nullptr;
     const LoadedWalk* best = nullptr;
     double best_s = std::numeric_limits<double>::infinity();
-    for (const LoadedWalk& walk : walks) {
+    for (const LoadedWalk& walk : floor->walks) {
       const double off_s =
           std::abs(SecondsBetween(walk.evidence.begin_ns, walk.evidence.end_ns) - 30);
       if (walk.evidence.readings.empty() || off_s >= best_s) continue;
       best = &walk;
       best_s = off_s;
     }
-    return new SurveyedScene(MakeScene(dataset.building, walks, *best));
+    return new SurveyedScene(MakeScene(floor->building, floor->walks, *best));
   }();
   return kScene;
+}
+
+// A thread remembers what the evidence of recent walks costs on a floor; here nothing is to be
+// remembered from one iteration to the next.
+template <typename Work>
+void OnFreshThread(const Work& work) {
+  std::thread(work).join();
 }
 
 using SceneSource = const SurveyedScene* (*)();
