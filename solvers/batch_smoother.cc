@@ -23,8 +23,8 @@ EstimateResult BatchSmoother::Estimate(const Site& site, const Evidence& unsorte
   int failed_solves = 0;
   const GraphPart whole = WholeGraph(walk.graph);
   std::vector<Mode> modes =
-      FindModes(ProposeTrajectories(site, evidence, factors_, solver_, track.path), whole,
-                walk.node_ns.back(), solver_, &walk, &failed_solves);
+      FindModes(ProposeTrajectories(site, evidence, factors_, track.path, solver_.hypotheses),
+                whole, walk.node_ns.back(), solver_, &walk, &failed_solves);
   const double limit = modes.front().negative_log_mass + solver_.mode_limit_nats;
   for (Mode& mode : modes) {
     if (mode.negative_log_mass > limit) break;  // no part of what is reported

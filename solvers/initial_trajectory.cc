@@ -58,8 +58,7 @@ Placement AboutTheMiddle(const Site& site, const Evidence& evidence, const DeadR
 
 std::vector<InitialTrajectory> ProposeTrajectories(const Site& site, const Evidence& evidence,
                                                    const FactorSettings& factors,
-                                                   const SolverSettings& solver,
-                                                   const FloorPath& floors) {
+                                                   const FloorPath& floors, int placements) {
   const DeadReckonedPath walk = DeadReckon(site, evidence, factors);
   std::vector<InitialTrajectory> proposals;
   const auto add = [&proposals](std::string source, Trajectory trajectory) {
@@ -72,7 +71,7 @@ std::vector<InitialTrajectory> ProposeTrajectories(const Site& site, const Evide
   }
   rank = 0;
   for (const Placement& placement :
-       PlaceDeadReckoning(site, evidence, walk, factors, floors, solver.hypotheses)) {
+       PlaceDeadReckoning(site, evidence, walk, factors, floors, placements)) {
     add("dead_reckoning " + std::to_string(++rank),
         FromPlacement(evidence, walk, floors, placement));
   }

@@ -9,7 +9,6 @@
 #include "factors/settings.h"
 #include "frontends/evidence/evidence.h"
 #include "frontends/radio_map/site.h"
-#include "solvers/settings.h"
 
 namespace walkgraph {
 
@@ -20,13 +19,12 @@ struct InitialTrajectory {
 };
 
 // Starts worth refining, the most promising of each source first, never empty: the distinct paths
-// of the discrete smoother, then rigid placements of the dead-reckoned walk (PlaceDeadReckoning).
-// Only factors that are switched on take part. Where the evidence holds no position, the one start
-// is dead reckoning about the middle of the floor.
+// of the discrete smoother, then at most `placements` rigid ones of the dead-reckoned walk
+// (PlaceDeadReckoning). Only factors that are switched on take part. Where the evidence holds no
+// position, the one start is dead reckoning about the middle of the floor.
 std::vector<InitialTrajectory> ProposeTrajectories(const Site& site, const Evidence& evidence,
                                                    const FactorSettings& factors,
-                                                   const SolverSettings& solver,
-                                                   const FloorPath& floors);
+                                                   const FloorPath& floors, int placements);
 
 }  // namespace walkgraph
 

@@ -123,6 +123,7 @@ std::vector<Placement> PlaceDeadReckoning(const Site& site, const Evidence& evid
                                           const DeadReckonedPath& walk,
                                           const FactorSettings& settings, const FloorPath& floors,
                                           int count) {
+  if (count <= 0) return {};
   const Lattice lattice(site, floors.Floors(), kSpacingM, kReachM);
   if (lattice.size() == 0) return {};
   const auto placed = EvidenceOnLattice(site, evidence, settings, floors, lattice);

@@ -42,12 +42,11 @@ bool GoesBy(const Mode& mode, const Trajectory& track, TimeNs since_ns,
 std::vector<InitialTrajectory> TracksAndProposals(const std::vector<Trajectory>& tracks,
                                                   const Site& site, const Evidence& evidence,
                                                   const FactorSettings& factors,
-                                                  const SolverSettings& solver,
-                                                  const FloorPath& floors) {
+                                                  const FloorPath& floors, int placements) {
   std::vector<InitialTrajectory> starts;
   for (const Trajectory& track : tracks) starts.push_back({"track", track});
   std::vector<InitialTrajectory> proposals =
-      ProposeTrajectories(site, evidence, factors, solver, floors);
+      ProposeTrajectories(site, evidence, factors, floors, placements);
   std::move(proposals.begin(), proposals.end(), std::back_inserter(starts));
   return starts;
 }
@@ -60,7 +59,7 @@ std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
   WalkGraph& walk = stretch.walk;
   if (!walk.first_absolute_position_ns) return std::nullopt;
   const std::vector<InitialTrajectory> starts =
-      TracksAndProposals(tracks, site, recent, factors, solver, floors);
+      TracksAndProposals(tracks, site, recent, factors, floors, /*placements=*/0);
   int failed_solves = 0;
   stretch.modes =
       FindModes(starts, WholeGraph(walk.graph), walk.node_ns.back(), solver, &walk, &failed_solves);

@@ -22,8 +22,7 @@ namespace walkgraph {
 std::vector<InitialTrajectory> TracksAndProposals(const std::vector<Trajectory>& tracks,
                                                   const Site& site, const Evidence& evidence,
                                                   const FactorSettings& factors,
-                                                  const SolverSettings& solver,
-                                                  const FloorPath& floors);
+                                                  const FloorPath& floors, int placements);
 
 // Where a track that a window follows stands in a stretch.
 struct TrackPlace {
@@ -41,7 +40,8 @@ struct Stretch {
 // What the whole-walk smoother makes of the recent evidence: it sees the whole floor, a window the
 // neighbourhood of its own modes. The tracks that the window follows, which hold positions and
 // headings over that time, are starts like any other, so that they are held against the rest on one
-// graph. None where the evidence knows no place.
+// graph. Rigid placements are not among them: a walk that has been located leaves the discrete
+// smoother none to miss. None where the evidence knows no place.
 std::optional<Stretch> SmoothStretch(const Site& site, const Evidence& recent,
                                      const FactorSettings& factors, const SolverSettings& solver,
                                      const std::vector<Trajectory>& tracks, TimeNs window_begin_ns,

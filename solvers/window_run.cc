@@ -71,7 +71,7 @@ void WindowRun::Arrive(std::size_t node) {
   const bool full = first_kept > 0;
   if (!marginalized_ && (last || (has_evidence_ && StartIsDue(now_ns, full)))) {
     Restart(node, full || last);
-  } else if (has_evidence_) {
+  } else if (started_ns_) {
     for (WindowHypothesis& hypothesis : hypotheses_) Solve(&hypothesis);
   }
   if (marginalized_ && CheckIsDue(node)) CheckTracks(node);

@@ -11,12 +11,11 @@
 
 namespace walkgraph {
 
-// Proposals are made with the first evidence of a place, just before the first node would leave
-// (the window is full), and from then on whenever the window has grown by half, until the walk is
-// located.
+// Proposals are made just before the first node would leave (the window is full), and from then on
+// whenever the window has grown by half, until the walk is located. Where poses are reported at
+// once, with the first evidence of a place, too.
 bool WindowRun::StartIsDue(TimeNs now_ns, bool full) const {
-  if (!started_ns_) return true;
-  if (!full) return false;
+  if (!full) return settings_.report_newest && !started_ns_;
   const TimeNs begin_ns = walk_.node_ns.front();
   return !started_full_ || now_ns - begin_ns >= (*started_ns_ - begin_ns) * 3 / 2;
 }
@@ -29,9 +28,9 @@ void WindowRun::Restart(std::size_t node, bool full) {
   const SlidingWindow start_window = window();
   const std::vector<Trajectory> tracks =
       started_full_ ? Tracks(walk_.node_ns.front(), node) : std::vector<Trajectory>{};
-  std::vector<Mode> modes =
-      FindModes(TracksAndProposals(tracks, site_, Seen(node), factors_, solver_, walk_.floors),
-                start_window.part(), now_ns, solver_, &walk_, &failed_solves_);
+  std::vector<Mode> modes = FindModes(
+      TracksAndProposals(tracks, site_, Seen(node), factors_, walk_.floors, solver_.hypotheses),
+      start_window.part(), now_ns, solver_, &walk_, &failed_solves_);
   started_ns_ = now_ns;
   started_full_ = full;
   const int most = full ? std::max(1, settings_.hypotheses) : 1;
