@@ -20,13 +20,28 @@ ceres::Problem::Options ProblemOptions() {
   return options;
 }
 
-ceres::Solver::Options SolverOptions(const SolverSettings& settings) {
+// Ceres knows shares of the cost alone.
+class EndBelowGain : public ceres::IterationCallback {
+ public:
+  explicit EndBelowGain(double least) : least_(least) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    const bool is_step = step.iteration > 0 && step.step_is_successful;
+    return !is_step || step.cost_change >= least_ ? ceres::SOLVER_CONTINUE
+                                                  : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+  }
+
+ private:
+  double least_;
+};
+
+ceres::Solver::Options SolverOptions(const SolverSettings& settings,
+                                     ceres::IterationCallback* end_below_gain) {
   ceres::Solver::Options options;
   options.num_threads = 1;
   options.max_num_iterations = settings.max_iterations;
-  options.function_tolerance = settings.function_tolerance;
-  // The cost decides when to stop; these only end a search that can gain nothing in double
-  // precision.
+  options.callbacks = {end_below_gain};
+  // These only end a search that can gain nothing in double precision.
+  options.function_tolerance = 0;
   options.gradient_tolerance = 0;
   options.parameter_tolerance = 1e-15;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -99,7 +114,8 @@ SolveResult SolveGraph(const GraphPart& part, const SolverSettings& settings, Fa
     problem.AddResidualBlock(priors.back().get(), nullptr, pointers);
   }
   ceres::Solver::Summary summary;
-  ceres::Solve(SolverOptions(settings), &problem, &summary);
+  EndBelowGain end_below_gain(settings.tolerance_nats);
+  ceres::Solve(SolverOptions(settings, &end_below_gain), &problem, &summary);
   const bool ok = summary.IsSolutionUsable() && std::isfinite(summary.final_cost) &&
                   graph->values().allFinite();
   if (!ok) graph->SetValues(before);

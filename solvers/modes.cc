@@ -118,7 +118,7 @@ GraphPart HeightPart(const WalkGraph& walk, const GraphPart& part) {
 // says which mode that is: it may end at ten times the tolerance.
 SolverSettings FirstSolve(const SolverSettings& settings, const WalkGraph& walk) {
   SolverSettings first = settings;
-  if (!walk.map_errors.empty()) first.function_tolerance *= 10;
+  if (!walk.map_errors.empty()) first.tolerance_nats *= 10;
   return first;
 }
 

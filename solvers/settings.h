@@ -7,9 +7,9 @@ namespace walkgraph {
 // that a result does not depend on the machine.
 struct SolverSettings {
   int max_iterations = 50;
-  // Relative decrease of the cost that ends the search: some hundredths of a nat for walks of
-  // minutes. A tenth of it moves answers by centimetres and takes half as long again.
-  double function_tolerance = 1e-5;
+  // A step that gains less ends the search. In nats, not in shares of the cost: what a walk of half
+  // an hour costs in all says nothing about what one of its minutes may yet gain.
+  double tolerance_nats = 0.01;
   int hypotheses = 4;          // dead-reckoned starts beside those of the discrete smoother
   double mode_limit_nats = 6;  // modes this much worse than the best are dropped
   double distinct_m = 1.0;     // root mean square distance under which two solutions are one mode
@@ -35,8 +35,7 @@ struct WindowSettings {
 template <typename Visitor>
 void Visit(Visitor& v, SolverSettings& s) {
   v.Field("max_iterations", s.max_iterations, "Levenberg-Marquardt iterations per solve at most");
-  v.Field("function_tolerance", s.function_tolerance,
-          "relative decrease of the cost that ends a solve");
+  v.Field("tolerance_nats", s.tolerance_nats, "a step that gains less ends a solve, nats");
   v.Field("hypotheses", s.hypotheses,
           "dead-reckoned starts beside the paths of the discrete smoother");
   v.Field("mode_limit_nats", s.mode_limit_nats, "modes this much worse than the best are dropped");

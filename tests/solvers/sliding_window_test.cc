@@ -53,7 +53,7 @@ class LinearCost : public ceres::CostFunction {
 // Far beyond what a walk needs: these tests compare digits.
 SolverSettings Exact() {
   SolverSettings settings;
-  settings.function_tolerance = 0;
+  settings.tolerance_nats = 0;
   return settings;
 }
 
