@@ -20,14 +20,15 @@ ceres::Problem::Options ProblemOptions() {
   return options;
 }
 
-// Ceres knows shares of the cost alone.
+// Ends with the first step that changes the cost by less, whether it is taken or not. Ceres itself
+// knows shares of the cost alone.
 class EndBelowGain : public ceres::IterationCallback {
  public:
   explicit EndBelowGain(double least) : least_(least) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
-    const bool is_step = step.iteration > 0 && step.step_is_successful;
-    return !is_step || step.cost_change >= least_ ? ceres::SOLVER_CONTINUE
-                                                  : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    const bool tried = step.iteration > 0 && step.step_is_valid;
+    return tried && std::abs(step.cost_change) < least_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                        : ceres::SOLVER_CONTINUE;
   }
 
  private:
