@@ -22,7 +22,8 @@ constexpr double kWaypointSigmaM = 0.3;
 // Solved to the end: walks without noise come out exactly, whatever gain a walk with noise may do
 // without.
 std::optional<Trajectory> Smooth(const Truth& truth, const Evidence& evidence) {
-  return AnchoredSmoother({}, {.tolerance_nats = 1e-9}, kWaypointSigmaM).Smooth({}, truth, evidence);
+  return AnchoredSmoother({}, {.tolerance_nats = 1e-9}, kWaypointSigmaM)
+      .Smooth({}, truth, evidence);
 }
 
 double LargestError(const Trajectory& trajectory, const TurningWalk& walk) {
