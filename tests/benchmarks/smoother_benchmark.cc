@@ -2,6 +2,7 @@
 // update, a batch solve, and the whole way from a file to a trajectory with the site loaded.
 #include <benchmark/benchmark.h>
 
+#include "benchmarks/fresh_thread.h"
 #include "benchmarks/surveyed_scene.h"
 #include "graph/walk_graph.h"
 #include "solvers/batch_smoother.h"

@@ -10,7 +10,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "data/dataset.h"
@@ -92,13 +91,6 @@ inline const SurveyedScene* RecordedScene() {
     return new SurveyedScene(MakeScene(floor->building, floor->walks, *best));
   }();
   return kScene;
-}
-
-// A thread remembers what the evidence of recent walks costs on a floor; here nothing is to be
-// remembered from one iteration to the next.
-template <typename Work>
-void OnFreshThread(const Work& work) {
-  std::thread(work).join();
 }
 
 using SceneSource = const SurveyedScene* (*)();
