@@ -7,8 +7,8 @@ namespace walkgraph {
 // that a result does not depend on the machine.
 struct SolverSettings {
   int max_iterations = 50;
-  // A step that gains less ends the search. In nats, not in shares of the cost: what a walk of half
-  // an hour costs in all says nothing about what one of its minutes may yet gain.
+  // A step that changes the cost by less ends the search. In nats, not in shares of the cost: what
+  // a walk of half an hour costs in all says nothing about what one of its minutes may yet gain.
   double tolerance_nats = 0.01;
   int hypotheses = 4;          // dead-reckoned starts beside those of the discrete smoother
   double mode_limit_nats = 6;  // modes this much worse than the best are dropped
@@ -35,7 +35,8 @@ struct WindowSettings {
 template <typename Visitor>
 void Visit(Visitor& v, SolverSettings& s) {
   v.Field("max_iterations", s.max_iterations, "Levenberg-Marquardt iterations per solve at most");
-  v.Field("tolerance_nats", s.tolerance_nats, "a step that gains less ends a solve, nats");
+  v.Field("tolerance_nats", s.tolerance_nats,
+          "a step that changes the cost by less ends a solve, nats");
   v.Field("hypotheses", s.hypotheses,
           "dead-reckoned starts beside the paths of the discrete smoother");
   v.Field("mode_limit_nats", s.mode_limit_nats, "modes this much worse than the best are dropped");

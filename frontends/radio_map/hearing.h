@@ -27,7 +27,7 @@ class HearingModel {
   struct Rectangle {  // of control points
     int column = 0, row = 0, columns = 0, rows = 0;
   };
-  // The kernels of sweeps summed up at every control point, row-major.
+  // The kernels of sweeps summed up at every control point of `area`, row-major.
   std::vector<double> Count(const std::vector<std::size_t>& sweeps, const Rectangle& area) const;
   double Kernel(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
 

@@ -143,10 +143,12 @@ std::vector<float> SurveyDistanceField(const FieldGrid& grid,
     const Eigen::Vector2f at = place.cast<float>();
     cells.try_emplace({std::lround(at.x() / cell_m), std::lround(at.y() / cell_m)}, at);
   }
-  Eigen::Array2Xf places(2, static_cast<Eigen::Index>(cells.size()));
+  Eigen::ArrayXf x(static_cast<Eigen::Index>(cells.size())), y(x.size());
   Eigen::Index i = 0;
-  for (const auto& [cell, place] : cells) places.col(i++) = place;
-  const Eigen::ArrayXf x = places.row(0), y = places.row(1);
+  for (const auto& [cell, place] : cells) {
+    x[i] = place.x();
+    y[i++] = place.y();
+  }
   std::vector<float> distances;
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {

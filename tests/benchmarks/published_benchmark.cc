@@ -15,7 +15,7 @@ namespace walkgraph {
 namespace {
 
 void BM_Method(benchmark::State& state, SceneSource source, const char* name) {
-  const SurveyedScene* scene = SceneOrSkip(state, source);
+  const SurveyedScene* scene = OrSkip(state, source());
   if (scene == nullptr) return;
   const std::unique_ptr<Estimator> method = ParseMethods(name)[0]->make(scene->settings);
   for (auto _ : state) {
@@ -46,7 +46,7 @@ void Update(benchmark::State& state, const SurveyedScene& scene, PositionFilter*
 }
 
 void BM_AhfUpdate(benchmark::State& state, SceneSource source) {
-  const SurveyedScene* scene = SceneOrSkip(state, source);
+  const SurveyedScene* scene = OrSkip(state, source());
   if (scene == nullptr) return;
   const AhfSettings settings;
   const int floor = scene->site.path.front().floor;

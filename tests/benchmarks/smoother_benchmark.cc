@@ -15,7 +15,7 @@ namespace walkgraph {
 namespace {
 
 void BM_WindowUpdate(benchmark::State& state, SceneSource source) {
-  const SurveyedScene* scene = SceneOrSkip(state, source);
+  const SurveyedScene* scene = OrSkip(state, source());
   if (scene == nullptr) return;
   const Evidence evidence = InCanonicalOrder(scene->walk.evidence);
   const Settings& settings = scene->settings;
@@ -41,7 +41,7 @@ BENCHMARK_CAPTURE(BM_WindowUpdate, recorded, RecordedScene)
 
 // From the best start to the minimum, without proposals and covariance.
 void BM_BatchSolve(benchmark::State& state, SceneSource source) {
-  const SurveyedScene* scene = SceneOrSkip(state, source);
+  const SurveyedScene* scene = OrSkip(state, source());
   if (scene == nullptr) return;
   const Evidence evidence = InCanonicalOrder(scene->walk.evidence);
   const Settings& settings = scene->settings;
@@ -62,7 +62,7 @@ BENCHMARK_CAPTURE(BM_BatchSolve, recorded, RecordedScene)->Unit(benchmark::kMill
 
 // Reading, evidence, proposals, every solve, covariance.
 void BM_FileToTrajectory(benchmark::State& state, SceneSource source) {
-  const SurveyedScene* scene = SceneOrSkip(state, source);
+  const SurveyedScene* scene = OrSkip(state, source());
   if (scene == nullptr) return;
   const Settings& settings = scene->settings;
   const BatchSmoother batch(settings.factors, settings.solver);

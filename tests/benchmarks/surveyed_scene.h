@@ -95,11 +95,11 @@ inline const SurveyedScene* RecordedScene() {
 
 using SceneSource = const SurveyedScene* (*)();
 
-// The scene, or nullptr after the benchmark has been told to skip.
-inline const SurveyedScene* SceneOrSkip(benchmark::State& state, SceneSource source) {
-  const SurveyedScene* scene = source();
-  if (scene == nullptr) state.SkipWithError("WALKGRAPH_REAL_DATA does not lead to ilc20");
-  return scene;
+// A scene or a floor as it is; where it is nullptr, after the benchmark has been told to skip.
+template <typename Recordings>
+const Recordings* OrSkip(benchmark::State& state, const Recordings* recordings) {
+  if (recordings == nullptr) state.SkipWithError("WALKGRAPH_REAL_DATA does not lead to ilc20");
+  return recordings;
 }
 
 }  // namespace walkgraph

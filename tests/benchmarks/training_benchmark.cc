@@ -8,11 +8,8 @@ namespace walkgraph {
 namespace {
 
 void BM_TrainFloor(benchmark::State& state) {
-  const RecordedFloor* floor = Recorded();
-  if (floor == nullptr) {
-    state.SkipWithError("WALKGRAPH_REAL_DATA does not lead to ilc20");
-    return;
-  }
+  const RecordedFloor* floor = OrSkip(state, Recorded());
+  if (floor == nullptr) return;
   std::vector<const LoadedWalk*> training;
   for (const LoadedWalk& walk : floor->walks) training.push_back(&walk);
   const Executor run = ThreadedExecutor(static_cast<int>(state.range(0)));
