@@ -87,13 +87,15 @@ std::string CalibrationOfSite(const Site& site, const TrainerSettings& settings)
                  map.floor, map.correlation_s, map.map_error_sigma_m);
   }
   for (const Radio radio : kAllRadios) {
-    if (std::none_of(site.maps.begin(), site.maps.end(),
-                     [radio](const RadioMap& map) { return map.radio == radio; })) {
-      continue;
-    }
-    text += Line("# In the site, %s readings lag by %.2f s, and walks hear %.1f dB apart\n",
-                 RadioName(radio), site.reading_lag_s[static_cast<std::size_t>(radio)],
-                 EstimateDeviceOffsets(site.scans, radio, settings.sample_spacing_m).spread_db);
+    const auto map = std::find_if(site.maps.begin(), site.maps.end(),
+                                  [radio](const RadioMap& m) { return m.radio == radio; });
+    if (map == site.maps.end()) continue;
+    text += Line(
+        "# In the site, %s readings lag by %.2f s, the body shadows them by %.2f dB, and walks "
+        "hear "
+        "%.1f dB apart\n",
+        RadioName(radio), site.reading_lag_s[static_cast<std::size_t>(radio)], map->body_shadow_db,
+        EstimateDeviceOffsets(site.scans, radio, settings.sample_spacing_m).spread_db);
   }
   for (const DeviceLoudness& phone : site.loudness) {
     text += "# In the site, what to expect of " +

@@ -40,9 +40,10 @@ class MapLook {
           const double* map_error)
       : error_(map_error[0], map_error[1]),
         ratio_(ErrorRatioAt(map, growth_per_sigma, {position[0], position[1]})),
-        basis_(EvaluateBasis(map.grid,
-                             Eigen::Vector2d(position[0], position[1]) + ratio_.value * error_)) {}
+        place_(Eigen::Vector2d(position[0], position[1]) + ratio_.value * error_),
+        basis_(EvaluateBasis(map.grid, place_)) {}
 
+  const Eigen::Vector2d& place() const { return place_; }  // u, m
   const FieldBasis& basis() const { return basis_; }
 
   // Writes a row of the Jacobians by position (block 0) and map error (block 1) of what has
@@ -62,6 +63,7 @@ class MapLook {
  private:
   Eigen::Vector2d error_;
   ErrorRatio ratio_;
+  Eigen::Vector2d place_;
   FieldBasis basis_;
 };
 

@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_FACTORS_MAP_SWEEPS_H_
 #define WALKGRAPH_FACTORS_MAP_SWEEPS_H_
 
+#include <Eigen/Core>
 #include <limits>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct MapSweep {
   double weight = 1;
   double silence_share = 1;       // of the scan's cost of silence that falls to this part
   std::vector<Reading> readings;  // by heard_ns, never empty
+  // Direction of walking, a unit vector, for methods whose state has none; zero: not known.
+  Eigen::Vector2d facing = Eigen::Vector2d::Zero();
 };
 
 // Groups the evidence's readings of the map's radio by scan, in order of time. Readings unknown to

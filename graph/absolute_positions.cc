@@ -40,6 +40,12 @@ void AddAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int>& other
   walk->graph.AddFactor(std::move(factor));
 }
 
+// The heading of the nearest node: half a node's turn moves a shadow by less than it is known.
+int HeadingNear(const WalkGraph& walk, TimeNs time_ns) {
+  const NodeBracket bracket = FindBracket(walk.node_ns, time_ns);
+  return walk.heading[static_cast<std::size_t>(bracket.before + (bracket.fraction > 0.5 ? 1 : 0))];
+}
+
 // The same for one that tells where the walk is.
 void AddPositionAtTime(GraphFactor factor, TimeNs time_ns, const std::vector<int>& other_blocks,
                        TimeNs arrival_ns, WalkGraph* walk) {
@@ -128,7 +134,9 @@ void AddRadios(const Site& site, const Evidence& evidence, const FactorSettings&
                                                  walk->floors, kSamePlaceS)) {
       AddPositionAtTime(
           MakeFingerprint(*radio.map, part, settings.fingerprint.loss, growth_per_sigma),
-          part.mean_heard_ns, {map_error.At(part.mean_heard_ns), offset}, part.printed_ns, walk);
+          part.mean_heard_ns,
+          {map_error.At(part.mean_heard_ns), offset, HeadingNear(*walk, part.mean_heard_ns)},
+          part.printed_ns, walk);
     }
     for (const MapSweep& scan : radio.scans) {
       AddPositionAtTime(MakeHearing(*radio.map, scan, growth_per_sigma), scan.mean_heard_ns,

@@ -17,6 +17,7 @@ constexpr double kHalfWidthM = 45;
 constexpr double kSpacingM = 3;
 constexpr int kTransmitters = 60;
 constexpr double kSmallestSpreadDb = 4;
+constexpr double kBodyShadowDb = 2;
 
 RadioMap::TransmitterField MakeField(int index, const FieldGrid& grid, Random random) {
   constexpr double kNearM = 3, kAtOneMetreDbm = -38, kExponent = 2.8;
@@ -27,6 +28,7 @@ RadioMap::TransmitterField MakeField(int index, const FieldGrid& grid, Random ra
   const auto spread = RandomField::SquaredExponential(2 * kShadowM, random.Fork(1));
   RadioMap::TransmitterField field;
   field.transmitter = static_cast<std::uint32_t>(index);
+  field.source_m = sender.cast<float>();
   field.columns = grid.columns;
   field.rows = grid.rows;
   for (int row = 0; row < grid.rows; ++row) {
@@ -54,6 +56,7 @@ RadioMap MakeMap(double map_error_sigma_m, const Random& random) {
   map.grid = {Eigen::Vector2d::Constant(-kHalfWidthM - kSpacingM), kSpacingM, across, across};
   map.sigma_min_db = kSmallestSpreadDb;
   map.map_error_sigma_m = map_error_sigma_m;
+  map.body_shadow_db = kBodyShadowDb;
   for (int i = 0; i < kTransmitters; ++i) {
     map.fields.push_back(MakeField(i, map.grid, random.Fork(static_cast<std::uint64_t>(i))));
   }

@@ -37,7 +37,7 @@ std::vector<SharedSquare> FindSharedSquares(const std::vector<SurveyScan>& scans
       const Eigen::Vector2d at = reading.position_m.cast<double>() / square_m;
       auto& [sum, count] = sums[{reading.transmitter, scan.floor, std::lround(at.x()),
                                  std::lround(at.y())}][scan.walk];
-      sum += reading.rssi_dbm;
+      sum += double{reading.rssi_dbm} - reading.shadow_db;
       ++count;
     }
   }

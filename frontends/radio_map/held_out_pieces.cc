@@ -30,7 +30,7 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
   std::vector<std::pair<int, double>> known;
   for (const SurveyReading& reading : scan.readings) {
     const int field = map.FindField(reading.transmitter);
-    if (field >= 0) known.emplace_back(field, reading.rssi_dbm);
+    if (field >= 0) known.emplace_back(field, double{reading.rssi_dbm} - reading.shadow_db);
   }
   const auto shifts = static_cast<Eigen::Index>(kCalibrationShifts.size());
   ScanCost cost{known.size(), Eigen::ArrayXd(shifts), Eigen::ArrayXd(shifts)};
@@ -110,15 +110,23 @@ HeldOutTrials::Fold HeldOutTrials::MakeFold(std::size_t fold) const {
   return result;
 }
 
+const HeldOutTrials::Fold& HeldOutTrials::FoldAt(std::size_t fold) {
+  if (!folds_.contains(fold)) folds_[fold] = MakeFold(fold);
+  return folds_[fold];
+}
+
+RadioMap HeldOutTrials::MapWithout(std::size_t fold, const FieldModel& model) {
+  return BuildMap(FoldAt(fold).input, model, settings_, run_);
+}
+
 void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
                                std::vector<HeldOutPiece>* pieces) {
-  if (!folds_.contains(fold)) folds_[fold] = MakeFold(fold);
-  const auto& [held_out, input] = folds_[fold];
-  const RadioMap map = BuildMap(input, model, settings_, run_);
+  const RadioMap map = MapWithout(fold, model);
+  const std::vector<const ScanList*>& held_out = HeldOut(fold);
   const std::size_t count = std::min(max_walks, held_out.size());
   std::vector<std::vector<HeldOutPiece>> of_walk(count);
-  run_(count, [&, &walks = held_out](std::size_t i) {
-    AppendPieces(map, *walks[i * walks.size() / count], settings_, &of_walk[i]);
+  run_(count, [&](std::size_t i) {
+    AppendPieces(map, *held_out[i * held_out.size() / count], settings_, &of_walk[i]);
   });
   for (std::vector<HeldOutPiece>& more : of_walk) {
     std::move(more.begin(), more.end(), std::back_inserter(*pieces));

@@ -41,6 +41,10 @@ class HeldOutTrials {
   // Six walks of three trials, fewer of which say nothing.
   bool enough() const { return enough_; }
 
+  // The walks of a fold, and the map of the others.
+  const std::vector<const ScanList*>& HeldOut(std::size_t fold) { return FoldAt(fold).held_out; }
+  RadioMap MapWithout(std::size_t fold, const FieldModel& model);
+
   // Pieces of an even selection of at most `max_walks` walks of a fold, on the map of the others.
   void AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
                   std::vector<HeldOutPiece>* pieces);
@@ -52,6 +56,7 @@ class HeldOutTrials {
     MapInput input;
   };
   Fold MakeFold(std::size_t fold) const;
+  const Fold& FoldAt(std::size_t fold);
 
   const FloorSurvey& survey_;
   const TrainerSettings& settings_;

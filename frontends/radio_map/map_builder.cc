@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "frontends/radio_map/body_shadow.h"
 #include "frontends/radio_map/hearing.h"
 #include "frontends/radio_map/survey_scans.h"
 
@@ -170,9 +171,10 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
   for (const SurveyScan* scan : scans) {
     for (const SurveyReading& reading : scan->readings) {
       if (detail.fits && !detail.fits(*scan, reading)) continue;
-      readings[reading.transmitter].push_back({reading.position_m.cast<double>(),
-                                               double{reading.rssi_dbm} - scan->device_offset_db,
-                                               scan->walk, scan->trial});
+      readings[reading.transmitter].push_back(
+          {reading.position_m.cast<double>(),
+           double{reading.rssi_dbm} - scan->device_offset_db - reading.shadow_db, scan->walk,
+           scan->trial});
     }
   }
   std::size_t index = 0;
@@ -235,9 +237,10 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
 
 MapInput MakeMapInput(const FloorSurvey& survey, const TrainerSettings& settings,
                       const MapDetail& detail) {
-  MapInput input{survey.floor, survey.radio, survey.grid, {}, {}, {}, {}};
+  MapInput input{survey.floor, survey.radio, survey.grid, {}, {}, {}, {}, {}};
   input.samples = CollectSamples(survey.scans, settings, detail);
   input.heard_in = HeardIn(survey.scans);
+  input.sources_m = LocateSources(survey.scans);
   input.sweep_places = SweepPlaces(survey.scans);
   input.survey_distance_m = SurveyDistanceField(survey.grid, input.sweep_places);
   return input;
@@ -260,6 +263,7 @@ RadioMap BuildMap(const MapInput& input, const FieldModel& model, const TrainerS
     SetRectangle(map.grid, samples, settings.margin_m, &field);
     FillSignal(map.grid, FieldProcess(samples, model.prior), model.sigma_scale, &field);
     hearing.Fill(input.heard_in.at(field.transmitter), &field);
+    field.source_m = input.sources_m.at(field.transmitter).cast<float>();
   });
   map.sigma_min_db = LeastSigma(map.fields);
   map.silence_nats = SilenceField(map.grid, map.fields);

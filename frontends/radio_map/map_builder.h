@@ -67,6 +67,7 @@ struct MapInput {
   FieldGrid grid;
   std::map<std::uint32_t, std::vector<FieldSample>> samples;   // of each transmitter kept
   std::map<std::uint32_t, std::vector<std::size_t>> heard_in;  // scans of each transmitter
+  std::map<std::uint32_t, Eigen::Vector2d> sources_m;          // see body_shadow.h
   std::vector<Eigen::Vector2d> sweep_places;                   // of each scan
   std::vector<float> survey_distance_m;                        // see RadioMap
 };

@@ -14,7 +14,6 @@ namespace walkgraph {
 namespace {
 
 constexpr std::size_t kWalksPerFold = 16;
-constexpr std::size_t kAllWalks = std::numeric_limits<std::size_t>::max();
 // The search for a model and calibration see this many transmitters of a floor, and samples of
 // each, at most: a hundred walks are to be trained on in seconds.
 constexpr std::size_t kSearchTransmitters = 150;
@@ -131,10 +130,9 @@ MapCalibration MeanCalibration(const std::vector<HeldOutPiece>& pieces,
           growth / total};
 }
 
-double ModelScore(const FieldModel& model, HeldOutTrials* held_out,
-                  std::size_t max_walks = kWalksPerFold) {
+double ModelScore(const FieldModel& model, HeldOutTrials* held_out) {
   std::vector<HeldOutPiece> pieces;
-  held_out->AppendFold(0, model, max_walks, &pieces);
+  held_out->AppendFold(0, model, kWalksPerFold, &pieces);
   const std::array hear_weights{MapCalibration().hear_weight};
   return BestCalibration(pieces, {kCoarseNEff, hear_weights, kCoarseMapErrors, kNoGrowth}).score;
 }
@@ -160,13 +158,6 @@ void Climb(std::span<const double> ladder, const std::function<double&(FieldMode
 }
 
 }  // namespace
-
-std::optional<double> PlacementScore(const FloorSurvey& survey, const TrainerSettings& settings) {
-  const Executor in_order = RunInOrder;
-  HeldOutTrials held_out(survey, settings, kSearchTransmitters, in_order);
-  if (!held_out.enough()) return std::nullopt;
-  return ModelScore(FieldModel(), &held_out, kAllWalks);
-}
 
 FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& settings,
                             const Executor& run) {

@@ -1,8 +1,6 @@
 #ifndef WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_CALIBRATION_H_
 #define WALKGRAPH_FRONTENDS_RADIO_MAP_MAP_CALIBRATION_H_
 
-#include <optional>
-
 #include "frontends/radio_map/map_builder.h"
 
 namespace walkgraph {
@@ -21,11 +19,6 @@ struct MapCalibration {
   double map_error_sigma_m = 2;   // of the error that the scans of some 20 s share, per axis
   double map_error_growth = 0.5;  // metres of it per metre from the survey
 };
-
-// Total score of the default field model on held-out walks, at the best of a coarse grid of
-// calibrations: comparable between different placements of the same walks' scans. Nothing where
-// there are fewer than six walks or three trials.
-std::optional<double> PlacementScore(const FloorSurvey& survey, const TrainerSettings& settings);
 
 // Length scale, noise and hearing bandwidth by climbing fixed ladders on one third of the walks,
 // with a selection of the transmitters; then the scale that makes left-out residuals honest. The

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "frontends/radio_map/body_shadow.h"
 #include "frontends/radio_map/survey_scans.h"
 
 namespace walkgraph {
@@ -91,7 +92,8 @@ class ChangeFinder {
       residuals->push_back({static_cast<std::size_t>(field), scan.walk,
                             std::lround(at.x() / settings_.group_m),
                             std::lround(at.y() / settings_.group_m),
-                            reading.rssi_dbm - value.mean_dbm, std::exp(2 * value.log_sigma)});
+                            double{reading.rssi_dbm} - reading.shadow_db - value.mean_dbm,
+                            std::exp(2 * value.log_sigma)});
     }
     const FieldBasis basis = EvaluateBasis(map_.grid, middle);
     for (std::size_t f = 0; f < map_.fields.size(); ++f) {
@@ -123,6 +125,8 @@ std::vector<SurveyScan> ScansOf(const Site& site, const std::vector<SurveyWalk>&
           return reading.transmitter >= site.transmitters.size();
         });
         if (scan.readings.empty()) continue;
+        const RadioMap* map = site.FindMap(scan.floor, radio);
+        if (map != nullptr) SetBodyShadow(*map, &scan);
         scan.walk += first;
         scan.trial += first;
         scans.push_back(std::move(scan));

@@ -61,6 +61,7 @@ class RadioMap {
     int column = 0, row = 0, columns = 0, rows = 0;
     float background_mean_dbm = 0, background_log_sigma = 0, background_logit_hear = 0;
     std::vector<float> mean_dbm, log_sigma, logit_hear;  // rows x columns, row-major
+    Eigen::Vector2f source_m = Eigen::Vector2f::Zero();  // where it seems to stand
   };
 
   int floor = 0;
@@ -77,6 +78,8 @@ class RadioMap {
   // Metres that this error grows per metre from the survey: d metres away its sigma is
   // sqrt(map_error_sigma_m^2 + (map_error_growth d)^2). Calibrated like it.
   double map_error_growth = 0;
+  // Amplitude of the shadow of the walker's body on every reading (see body_shadow.h).
+  double body_shadow_db = 0;
   std::vector<TransmitterField> fields;  // by transmitter
   // Sum over all transmitters of -log(1 - p_hear): a sweep that hears nothing costs this much.
   std::vector<float> silence_nats;  // on the whole grid, row-major

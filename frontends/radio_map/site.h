@@ -28,6 +28,10 @@ struct SurveyReading {
   float rssi_dbm = 0;
   float age_s = 0;                                       // printed minus heard
   Eigen::Vector2f position_m = Eigen::Vector2f::Zero();  // at the time heard
+  float heading_rad = 0;                                 // of walking, at the time heard
+  // What the walker's body adds to the reading, which way they faced (see body_shadow.h). Fields
+  // are fitted to readings without it, and it is zero until their shadow has been calibrated.
+  float shadow_db = 0;
 };
 
 // The readings that were printed together.

@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr char kMagic[] = "WALKGRAPHSITE\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
-constexpr std::uint32_t kVersion = 8;
+constexpr std::uint32_t kVersion = 9;
 constexpr std::size_t kHeaderSize = kMagicSize + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
 std::uint64_t Fnv1a(std::string_view bytes) {
@@ -182,6 +182,7 @@ void ArchiveMap(A& a, M& map) {
   a.Scalar(map.hear_weight);
   a.Scalar(map.map_error_sigma_m);
   a.Scalar(map.map_error_growth);
+  a.Scalar(map.body_shadow_db);
   Each(a, map.fields, [](A& b, auto& field) {
     b.Scalar(field.transmitter);
     b.Scalar(field.column);
@@ -191,6 +192,7 @@ void ArchiveMap(A& a, M& map) {
     b.Scalar(field.background_mean_dbm);
     b.Scalar(field.background_log_sigma);
     b.Scalar(field.background_logit_hear);
+    Vector2(b, field.source_m);
     b.Scalars(field.mean_dbm);
     b.Scalars(field.log_sigma);
     b.Scalars(field.logit_hear);
@@ -225,6 +227,8 @@ void ArchiveScan(A& a, S& scan) {
     b.Scalar(reading.rssi_dbm);
     b.Scalar(reading.age_s);
     Vector2(b, reading.position_m);
+    b.Scalar(reading.heading_rad);
+    b.Scalar(reading.shadow_db);
   });
 }
 

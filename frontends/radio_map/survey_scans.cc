@@ -48,7 +48,7 @@ std::vector<SurveyScan> PlaceScans(const std::vector<SurveyWalk>& walks, std::si
       scan.readings.push_back(
           {static_cast<std::uint32_t>(site_index[reading.transmitter]), reading.rssi_dbm,
            static_cast<float>(SecondsBetween(reading.heard_ns, reading.printed_ns)),
-           pose.position_m.head<2>().cast<float>()});
+           pose.position_m.head<2>().cast<float>(), static_cast<float>(pose.heading_rad)});
     }
     if (!scan.readings.empty()) scans.push_back(std::move(scan));
   }

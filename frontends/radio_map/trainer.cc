@@ -1,6 +1,7 @@
 #include "frontends/radio_map/trainer.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -8,10 +9,11 @@
 
 #include "frontends/radio_map/barometric_history.h"
 #include "frontends/radio_map/device_offsets.h"
+#include "frontends/radio_map/direction_bias.h"
 #include "frontends/radio_map/magnetic_trainer.h"
 #include "frontends/radio_map/map_builder.h"
 #include "frontends/radio_map/map_calibration.h"
-#include "frontends/radio_map/reading_lag.h"
+#include "frontends/radio_map/radio_survey.h"
 #include "frontends/radio_map/survey_scans.h"
 
 namespace walkgraph {
@@ -58,7 +60,10 @@ FloorSurvey SurveyOf(const Site& site, int floor, Radio radio, const TrainerSett
   return survey;
 }
 
-void TrainMaps(const TrainerSettings& settings, const Executor& run, Site* site) {
+using BodyShadows = std::array<double, kRadioCount>;  // dB
+
+void TrainMaps(const TrainerSettings& settings, const BodyShadows& body_shadow_db,
+               const Executor& run, Site* site) {
   std::set<int> floors;
   for (const SurveyScan& scan : site->scans) floors.insert(scan.floor);
   for (const int floor : floors) {
@@ -72,6 +77,7 @@ void TrainMaps(const TrainerSettings& settings, const Executor& run, Site* site)
       map.hear_weight = calibration.hear_weight;
       map.map_error_sigma_m = calibration.map_error_sigma_m;
       map.map_error_growth = calibration.map_error_growth;
+      map.body_shadow_db = body_shadow_db[static_cast<std::size_t>(radio)];
       site->maps.push_back(std::move(map));
     }
   }
@@ -113,6 +119,7 @@ void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* 
     map.hear_weight = before.hear_weight;
     map.map_error_sigma_m = before.map_error_sigma_m;
     map.map_error_growth = before.map_error_growth;
+    map.body_shadow_db = before.body_shadow_db;
     site->maps.push_back(std::move(map));
   }
 }
@@ -131,16 +138,15 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
     }
     site_index.push_back(MatchTransmitters(site, *walks[i].evidence));
   }
+  BodyShadows body_shadow_db{};
   for (const Radio radio : kAllRadios) {
-    double& lag_s = site.reading_lag_s[static_cast<std::size_t>(radio)];
-    if (settings.calibrate_lag) {
-      lag_s = CalibrateReadingLag(building, walks, site_index, site.path, radio, settings, run);
-    }
-    for (std::size_t i = 0; i < walks.size(); ++i) {
-      if (walks[i].trajectory.empty()) continue;
-      for (SurveyScan& scan : PlaceScans(walks, i, radio, site_index[i], lag_s, {lag_s, lag_s})) {
-        site.scans.push_back(std::move(scan));
-      }
+    const RadioSurvey survey{building, walks, site_index, site.path, radio, settings};
+    const auto r = static_cast<std::size_t>(radio);
+    const auto [lag_s, shadow_db] = CalibrateDirectionBias(survey, run);
+    site.reading_lag_s[r] = lag_s;
+    body_shadow_db[r] = shadow_db;
+    for (SurveyScan& scan : survey.Scans(lag_s, {lag_s, lag_s}, shadow_db)) {
+      site.scans.push_back(std::move(scan));
     }
   }
   std::stable_sort(site.scans.begin(), site.scans.end(),
@@ -153,7 +159,7 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
     for (const SurveyWalk& walk : walks) devices.push_back(walk.evidence->device);
     site.loudness = SummariseDevices(site.scans, devices);
   }
-  TrainMaps(settings, run, &site);
+  TrainMaps(settings, body_shadow_db, run, &site);
   site.magnetic_maps = TrainMagneticMaps(site);
   return site;
 }

@@ -21,6 +21,7 @@ struct TrainerSettings {
   double rssi_offset_sigma_db = 3.0;  // common to the readings of a scan, in calibration
   double hear_prior_sweeps = 1.0;     // weight of the floor-wide rate in the probability of hearing
   bool calibrate_lag = true;          // else readings are taken to speak of their stamped time
+  bool shade_readings = true;         // else a body is taken to shield nothing
   bool level_devices = true;          // else all survey walks are taken to hear equally well
 };
 
@@ -37,6 +38,8 @@ void Visit(Visitor& v, TrainerSettings& s) {
   v.Field(
       "calibrate_lag", s.calibrate_lag,
       "find how long after its stamp a reading speaks of the phone's place; false: at its stamp");
+  v.Field("shade_readings", s.shade_readings,
+          "find what the walker's body takes off readings from behind; false: nothing");
   v.Field(
       "level_devices", s.level_devices,
       "fit fields without what each survey walk's phone adds to all readings; false: none does");

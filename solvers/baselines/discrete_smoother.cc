@@ -41,9 +41,10 @@ class Emissions {
 
   void AddSweeps(const Site& site, const RadioMap& map, const Evidence& evidence,
                  const FactorSettings& settings, const FloorPath& floors) {
-    const std::vector<MapSweep> sweeps =
+    std::vector<MapSweep> sweeps =
         CollectMapSweeps(site, map, evidence, settings.fingerprint, floors, kPartSeconds);
     if (sweeps.empty()) return;
+    for (MapSweep& sweep : sweeps) sweep.facing = FacingAt(sweep.mean_heard_ns);
     const auto costs =
         EvaluateSweeps(map, lattice_.centers_m(),
                        PriorOfRssiOffset(site, evidence, map.radio, settings.rssi_offset),
@@ -106,6 +107,14 @@ class Emissions {
   Eigen::Vector2d MovedSince(std::size_t epoch, TimeNs time_ns) const {
     if (walk_.source != HeadingSource::kAbsolute) return Eigen::Vector2d::Zero();
     return walk_.PositionAt(time_ns) - walk_.PositionAt(times_[epoch]);
+  }
+
+  // The same of the direction of walking. An offset of the heading turns a shadow by less than it
+  // is known.
+  Eigen::Vector2d FacingAt(TimeNs time_ns) const {
+    if (walk_.source != HeadingSource::kAbsolute) return Eigen::Vector2d::Zero();
+    const double heading_rad = walk_.HeadingAt(time_ns);
+    return {std::cos(heading_rad), std::sin(heading_rad)};
   }
 
   // A reading heard between epochs speaks of the cell that the person passed then.

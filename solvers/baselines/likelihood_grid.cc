@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "factors/loss.h"
+#include "frontends/radio_map/bearing.h"
 
 namespace walkgraph {
 namespace {
@@ -62,16 +63,30 @@ struct LikelihoodGrid::Terms {
   Eigen::ArrayXf nats, slope, information;
 };
 
+// One reading of one field in one of the sweeps.
+struct LikelihoodGrid::Hearing {
+  int field = 0;
+  std::size_t sweep = 0;
+  float rssi_dbm = 0;
+  float root_precision = 1;
+  Eigen::Vector2f shadow_db = Eigen::Vector2f::Zero();  // towards where the walker faces
+};
+
 // One transmitter at the positions of its segments, one after the other, and then its background.
 struct LikelihoodGrid::FieldSamples {
   explicit FieldSamples(Eigen::Index size)
       : mean_dbm(size), inverse_sigma(size), constant_nats(size) {}
 
-  // Of one reading.
-  void Evaluate(float rssi_dbm, float root_precision, const LossSettings& loss,
-                Terms* terms) const {
-    terms->slope = root_precision * inverse_sigma;
-    terms->nats = (rssi_dbm - mean_dbm) * terms->slope;  // whitened
+  // Of one reading, `shadow` (dB) times the bearing stronger than the mean.
+  void Evaluate(const Hearing& hearing, const LossSettings& loss, Terms* terms) const {
+    terms->slope = hearing.root_precision * inverse_sigma;
+    if (hearing.shadow_db.isZero()) {
+      terms->nats = (hearing.rssi_dbm - mean_dbm) * terms->slope;  // whitened
+    } else {
+      terms->nats = (hearing.rssi_dbm - mean_dbm - hearing.shadow_db.x() * bearing_x -
+                     hearing.shadow_db.y() * bearing_y) *
+                    terms->slope;
+    }
     terms->information = terms->slope.square();
     if (!IsForRows(loss)) {
       terms->slope *= terms->nats;
@@ -87,15 +102,8 @@ struct LikelihoodGrid::FieldSamples {
   }
 
   Eigen::ArrayXf mean_dbm, inverse_sigma;
-  Eigen::ArrayXf constant_nats;  // log(sigma / sigma_min) - h logit
-};
-
-// One reading of one field in one of the sweeps.
-struct LikelihoodGrid::Hearing {
-  int field = 0;
-  std::size_t sweep = 0;
-  float rssi_dbm = 0;
-  float root_precision = 1;
+  Eigen::ArrayXf bearing_x, bearing_y;  // of the transmitter; where the map has shadows
+  Eigen::ArrayXf constant_nats;         // log(sigma / sigma_min) - h logit
 };
 
 LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vector2d> positions_m,
@@ -111,7 +119,12 @@ LikelihoodGrid::LikelihoodGrid(const RadioMap& map, std::span<const Eigen::Vecto
       original_index_.begin(), original_index_.end(), [&bases](std::size_t a, std::size_t b) {
         return std::pair(bases[a].row, bases[a].column) < std::pair(bases[b].row, bases[b].column);
       });
+  x_m_.resize(static_cast<Eigen::Index>(positions_m.size()));
+  y_m_.resize(x_m_.size());
   for (const std::size_t index : original_index_) {
+    const auto sorted = static_cast<Eigen::Index>(cell_.size());
+    x_m_[sorted] = static_cast<float>(positions_m[index].x());
+    y_m_[sorted] = static_cast<float>(positions_m[index].y());
     const FieldBasis& basis = bases[index];
     cell_.push_back({basis.row, basis.column});
     std::array<float, 16>& weights = weights_.emplace_back();
@@ -154,6 +167,7 @@ LikelihoodGrid::FieldSamples LikelihoodGrid::Sample(const RadioMap::TransmitterF
       logits[at] = logit.At(cell_[i], weights_[i]);
     }
   }
+  if (map_.body_shadow_db != 0) AddBearings(field, segments, &samples);
   samples.mean_dbm[at] = field.background_mean_dbm;
   log_sigmas[at] = field.background_log_sigma;
   logits[at] = field.background_logit_hear;
@@ -163,13 +177,35 @@ LikelihoodGrid::FieldSamples LikelihoodGrid::Sample(const RadioMap::TransmitterF
   return samples;
 }
 
+// The background has none: from far away, where nobody heard it, nothing is known of a direction.
+void LikelihoodGrid::AddBearings(const RadioMap::TransmitterField& field,
+                                 const std::vector<Segment>& segments,
+                                 FieldSamples* samples) const {
+  samples->bearing_x.setZero(samples->mean_dbm.size());
+  samples->bearing_y.setZero(samples->mean_dbm.size());
+  constexpr auto kSoftness = static_cast<float>(kBearingSoftness);
+  Eigen::Index at = 0;
+  for (const Segment& segment : segments) {
+    const auto begin = static_cast<Eigen::Index>(segment.begin);
+    const Eigen::Index size = segment.size();
+    auto x = samples->bearing_x.segment(at, size), y = samples->bearing_y.segment(at, size);
+    x = field.source_m.x() - x_m_.segment(begin, size);
+    y = field.source_m.y() - y_m_.segment(begin, size);
+    const Eigen::ArrayXf inverse = (x.square() + y.square() + kSoftness * kSoftness).rsqrt();
+    x *= inverse;
+    y *= inverse;
+    at += size;
+  }
+}
+
 std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSweep> sweeps) const {
   const auto mean_offset_db = static_cast<float>(offset_.mean_db);
   std::vector<Hearing> hearings;
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     for (const MapSweep::Reading& reading : sweeps[s].readings) {
-      hearings.push_back(
-          {reading.field, s, reading.rssi_dbm + mean_offset_db, std::sqrt(reading.precision)});
+      hearings.push_back({reading.field, s, reading.rssi_dbm + mean_offset_db,
+                          std::sqrt(reading.precision),
+                          (map_.body_shadow_db * sweeps[s].facing).cast<float>()});
     }
   }
   std::stable_sort(hearings.begin(), hearings.end(),
@@ -187,7 +223,7 @@ std::vector<std::vector<float>> LikelihoodGrid::Evaluate(std::span<const MapSwee
     const FieldSamples samples = Sample(field, segments);
     for (const int current = hearing->field; hearing != hearings.end() && hearing->field == current;
          ++hearing) {
-      samples.Evaluate(hearing->rssi_dbm, hearing->root_precision, loss_, &terms);
+      samples.Evaluate(*hearing, loss_, &terms);
       AddDifferences(terms, segments, &sorted[hearing->sweep], &background[hearing->sweep]);
     }
   }

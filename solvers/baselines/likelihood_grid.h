@@ -46,6 +46,8 @@ class LikelihoodGrid {
   std::vector<Segment> TouchedSegments(const RadioMap::TransmitterField& field) const;
   FieldSamples Sample(const RadioMap::TransmitterField& field,
                       const std::vector<Segment>& segments) const;
+  void AddBearings(const RadioMap::TransmitterField& field, const std::vector<Segment>& segments,
+                   FieldSamples* samples) const;
   static void AddDifferences(const Terms& terms, const std::vector<Segment>& segments, Terms* sums,
                              Terms* background);
 
@@ -55,6 +57,7 @@ class LikelihoodGrid {
   // Positions sorted by (row, column) of their first control point, so that a rectangle of the grid
   // is a few contiguous runs.
   std::vector<std::size_t> original_index_;
+  Eigen::ArrayXf x_m_, y_m_;
   std::vector<std::array<int, 2>> cell_;        // row, column
   std::vector<std::array<float, 16>> weights_;  // as FieldBasis::weight
   std::vector<float> silence_nats_;

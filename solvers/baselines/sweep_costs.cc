@@ -42,6 +42,7 @@ std::uint64_t HashOfField(const RadioMap::TransmitterField& field) {
   ContentHash hash;
   hash.Add(field.transmitter, field.column, field.row, field.columns, field.rows);
   hash.Add(field.background_mean_dbm, field.background_log_sigma, field.background_logit_hear);
+  hash.Add(field.source_m.x(), field.source_m.y());
   for (const std::vector<float>* values : {&field.mean_dbm, &field.log_sigma, &field.logit_hear}) {
     hash.Add(std::span<const float>(*values));
   }
@@ -54,7 +55,7 @@ std::uint64_t HashOfPlaces(const RadioMap& map, std::span<const Eigen::Vector2d>
                            const RssiOffsetPrior& offset, const LossSettings& loss) {
   ContentHash hash;
   hash.Add(map.grid.origin_m.x(), map.grid.origin_m.y(), map.grid.spacing_m, map.grid.columns,
-           map.grid.rows, map.sigma_min_db, map.hear_weight);
+           map.grid.rows, map.sigma_min_db, map.hear_weight, map.body_shadow_db);
   hash.Add(std::span<const float>(map.silence_nats));
   hash.Add(offset.mean_db, offset.sigma_db, loss.kind, loss.scale);
   for (const Eigen::Vector2d& position : positions_m) hash.Add(position.x(), position.y());
@@ -69,7 +70,8 @@ class SweepHasher {
 
   std::uint64_t operator()(const MapSweep& sweep) {
     ContentHash hash;
-    hash.Add(sweep.weight, sweep.silence_share, sweep.readings.size());
+    hash.Add(sweep.weight, sweep.silence_share, sweep.readings.size(), sweep.facing.x(),
+             sweep.facing.y());
     for (const MapSweep::Reading& reading : sweep.readings) {
       hash.Add(reading.rssi_dbm, reading.precision);
       hash.Add(OfField(reading.field));

@@ -17,6 +17,7 @@ inline RadioMap MakeRandomMap(Random* random) {
   RadioMap map;
   map.grid = {{-3, -3}, 3.0, kCount, kCount};
   map.sigma_min_db = 3;
+  map.body_shadow_db = 2.5;
   map.silence_nats.assign(kCount * kCount, 0.0F);
   for (int i = 0; i < kCount * kCount; ++i) {
     map.survey_distance_m.push_back(static_cast<float>(std::abs(Normal(random, 5))));
@@ -30,6 +31,9 @@ inline RadioMap MakeRandomMap(Random* random) {
       map.silence_nats[static_cast<std::size_t>(i)] +=
           std::log1p(std::exp(field.logit_hear.back()));
     }
+    // Sixteenths of a metre, which single precision can move without rounding.
+    const Eigen::Array2d source(10 + Normal(random, 10), 10 + Normal(random, 10));
+    field.source_m = ((16 * source).round() / 16).matrix().cast<float>();
     map.fields.push_back(field);
   }
   return map;
@@ -65,6 +69,7 @@ inline RadioMap MoveMap(const RadioMap& map, const Motion& motion) {
   moved.silence_nats = MoveValues(map.silence_nats, n, motion);
   moved.survey_distance_m = MoveValues(map.survey_distance_m, n, motion);
   for (auto& field : moved.fields) {
+    field.source_m = motion.Move(field.source_m.cast<double>()).cast<float>();
     field.mean_dbm = MoveValues(field.mean_dbm, n, motion);
     field.log_sigma = MoveValues(field.log_sigma, n, motion);
     field.logit_hear = MoveValues(field.logit_hear, n, motion);
@@ -93,8 +98,10 @@ struct RadioTwin {
 
   template <typename T>
   bool operator()(T const* const* blocks, T* residual) const {
+    using std::cos;
     using std::exp;
     using std::log;
+    using std::sin;
     using std::sqrt;
     const Eigen::Vector2d stood(Plain(blocks[0][0]), Plain(blocks[0][1]));
     const ScalarValue away = map->SurveyDistance(EvaluateBasis(map->grid, stood));
@@ -111,9 +118,13 @@ struct RadioTwin {
       spread += log(exp(log_sigma) / map->sigma_min_db);
       heard += log(1.0 - p) - log(p);
       if (hearing) continue;
+      const auto& source = map->fields[static_cast<std::size_t>(sweep.readings[i].field)].source_m;
+      const T east = double{source.x()} - x, north = double{source.y()} - y;
+      const T ahead = (cos(blocks[3][0]) * east + sin(blocks[3][0]) * north) /
+                      sqrt(east * east + north * north + 100.0);
       residual[i] = sqrt(sweep.weight * double{sweep.readings[i].precision}) *
                     (double{sweep.readings[i].rssi_dbm} + blocks[2][0] -
-                     Lift(field.mean_dbm, field.d_mean, at, x, y)) /
+                     Lift(field.mean_dbm, field.d_mean, at, x, y) - map->body_shadow_db * ahead) /
                     exp(log_sigma);
     }
     const ScalarValue silence = map->Silence(basis);
@@ -130,7 +141,7 @@ struct RadioScenario {
   static constexpr bool kHearing = std::is_same_v<Factor, HearingFactor>;
   static std::vector<BlockKind> kinds() {
     if (kHearing) return {BlockKind::kPosition, BlockKind::kMapError};
-    return {BlockKind::kPosition, BlockKind::kMapError, BlockKind::kRssiOffset};
+    return {BlockKind::kPosition, BlockKind::kMapError, BlockKind::kRssiOffset, BlockKind::kHeading};
   }
   static constexpr double kGrowth = 0.3;  // 1/m
   explicit RadioScenario(Random* random) : map(std::make_shared<RadioMap>(MakeRandomMap(random))) {

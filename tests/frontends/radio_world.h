@@ -64,10 +64,13 @@ class RadioWorld {
       PoseEstimate pose;
       pose.time_ns = kStart + DurationNs(t);
       pose.position_m.head<2>() = at + shift_m;
+      pose.heading_rad = std::atan2((to - from).y(), (to - from).x());
       walk.trajectory.poses.push_back(pose);
       if (std::fmod(t, 2.0) != 0.0) continue;
       for (std::uint32_t i = 0; i < transmitters_.size(); ++i) {
-        const double rssi_dbm = ReadingDbm(i, at);
+        const Eigen::Vector2d ahead = (to - from).normalized();
+        const double body_db = body_shadow_db * ahead.dot((places_[i] - at).normalized());
+        const double rssi_dbm = ReadingDbm(i, at) + body_db;
         if (chance(random_) > HearProbability(MeanDbm(i, at))) continue;
         const TimeNs stamp_ns = pose.time_ns - DurationNs(stamped_early_s);
         evidence.readings.push_back({stamp_ns, stamp_ns, i, static_cast<float>(rssi_dbm)});
@@ -90,6 +93,7 @@ class RadioWorld {
   }
 
   Building building;
+  double body_shadow_db = 0;   // what lies straight ahead is heard stronger by
   double stamped_early_s = 0;  // readings carry a time this much before they were heard
 
  private:

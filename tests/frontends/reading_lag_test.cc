@@ -2,46 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
-#include <vector>
-
 #include "frontends/radio_map/site_file.h"
-#include "radio_world.h"
 
 namespace walkgraph {
 namespace {
-
-// Aisles walked to and fro at 1 m/s, so that a lag moves readings both ways.
-std::vector<SurveyWalk> WalkBothWays(RadioWorld* world) {
-  std::vector<SurveyWalk> walks;
-  for (double y = 0.5; y < RadioWorld::kHeightM; y += 1.5) {
-    walks.push_back(world->Walk({0, y}, {RadioWorld::kWidthM, y}));
-    walks.push_back(world->Walk({RadioWorld::kWidthM, y + 0.7}, {0, y + 0.7}));
-  }
-  return walks;
-}
-
-double LagOf(double stamped_early_s) {
-  RadioWorld world(11, 40);
-  world.stamped_early_s = stamped_early_s;
-  return TrainSite(world.building, WalkBothWays(&world), {}).reading_lag_s[0];
-}
-
-TEST(ReadingLagTest, IsFoundFromWalksInBothDirections) {
-  EXPECT_NEAR(LagOf(0.0), 0.0, 0.35);
-  EXPECT_NEAR(LagOf(1.2), 1.2, 0.35);
-}
-
-TEST(ReadingLagTest, IsNoneWhereNotCalibratedOrNotToBeLearnt) {
-  TrainerSettings off;
-  off.calibrate_lag = false;
-  RadioWorld world(11, 40);
-  world.stamped_early_s = 1.2;
-  const std::vector<SurveyWalk> walks = WalkBothWays(&world);
-  EXPECT_EQ(TrainSite(world.building, walks, off).reading_lag_s[0], 0.0);
-  const std::vector<SurveyWalk> few(walks.begin(), walks.begin() + 4);
-  EXPECT_EQ(TrainSite(world.building, few, {}).reading_lag_s[0], 0.0);
-}
 
 TEST(ReadingLagTest, MovesReadingsOfItsRadioAndKeepsTheirAge) {
   Site site;

@@ -41,7 +41,7 @@ Site SmallSite() {
                  2,
                  -1,
                  Radio::kBeacon,
-                 {{1, -71.5F, 0.25F, {1.5F, 2.0F}}},
+                 {{1, -71.5F, 0.25F, {1.5F, 2.0F}, 0.75F, -1.5F}},
                  -2.5F}};
   site.magnetic = {{{1.5F, 2.5F}, -1, 3, 2, 43.5F, 1.0F}};
   RadioMap map;
@@ -53,7 +53,8 @@ Site SmallSite() {
   map.hear_weight = 0.4;
   map.map_error_sigma_m = 1.4;
   map.map_error_growth = 0.35;
-  map.fields = {{1, 1, 2, 2, 1, -90.0F, 2.5F, -6.0F, {-60, -61}, {1.5F, 1.6F}, {0.5F, -0.5F}}};
+  map.body_shadow_db = 1.75;
+  map.fields = {{1, 1, 2, 2, 1, -90.0F, 2.5F, -6.0F, {-60, -61}, {1.5F, 1.6F}, {0.5F, -0.5F}, {6, 7}}};
   map.silence_nats.assign(20, 1.25F);
   map.survey_distance_m.assign(20, 7.5F);
   site.maps = {map};
@@ -109,6 +110,8 @@ TEST(SiteFileTest, KeepsEveryMember) {
   ASSERT_EQ(site.scans.size(), 1U);
   EXPECT_EQ(site.scans[0].printed_ns, 1'560'000'000'000'000'007);
   EXPECT_EQ(site.scans[0].readings[0].age_s, 0.25F);
+  EXPECT_EQ(site.scans[0].readings[0].heading_rad, 0.75F);
+  EXPECT_EQ(site.scans[0].readings[0].shadow_db, -1.5F);
   EXPECT_EQ(site.scans[0].device_offset_db, -2.5F);
   ASSERT_EQ(site.magnetic.size(), 1U);
   EXPECT_EQ(site.magnetic[0].norm_ut, 43.5F);
@@ -120,6 +123,8 @@ TEST(SiteFileTest, KeepsEveryMember) {
   EXPECT_EQ(map->hear_weight, 0.4);
   EXPECT_EQ(map->map_error_sigma_m, 1.4);
   EXPECT_EQ(map->map_error_growth, 0.35);
+  EXPECT_EQ(map->body_shadow_db, 1.75);
+  EXPECT_EQ(map->fields[0].source_m, Eigen::Vector2f(6, 7));
   EXPECT_EQ(site.FindLoudness("phone", Radio::kWifi), nullptr);
   EXPECT_EQ(site.FindLoudness("", Radio::kBeacon), nullptr);
   ASSERT_NE(site.FindLoudness("phone", Radio::kBeacon), nullptr);
@@ -165,7 +170,7 @@ TEST(SiteFileTest, NoticesEveryFlippedByte) {
 TEST(SiteFileTest, NamesTheVersionThatItCannotRead) {
   std::string bytes = SerializeSite(SmallSite());
   bytes[std::string("WALKGRAPHSITE\n").size()] = 99;
-  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 8")));
+  EXPECT_THAT(Complaint(bytes), AllOf(HasSubstr("version 99"), HasSubstr("expected version 9")));
 }
 
 TEST(SiteFileTest, TellsWhatIsNoSite) {

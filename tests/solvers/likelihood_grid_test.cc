@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <vector>
 
+#include "frontends/radio_map/bearing.h"
 #include "solvers/baselines/sweep_costs.h"
 #include "solvers/synthetic_site.h"
 
@@ -159,8 +161,13 @@ TEST(LikelihoodGrid, IntegratesACommonOffsetOut) {
 TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
   SyntheticSite synthetic(3);
   const Evidence evidence = synthetic.Walk({{5, 5}, {40, 30}}, 0.1, 4);
-  const RadioMap& map = synthetic.site.maps.front();
-  const auto sweeps = CollectMapSweeps(synthetic.site, map, evidence, FingerprintSettings());
+  RadioMap map = synthetic.site.maps.front();
+  map.body_shadow_db = 2;
+  auto sweeps = CollectMapSweeps(synthetic.site, map, evidence, FingerprintSettings());
+  // Some know which way the walker faced.
+  for (std::size_t s = 0; s < sweeps.size(); s += 2) {
+    sweeps[s].facing = Eigen::Rotation2Dd(static_cast<double>(s)) * Eigen::Vector2d::UnitX();
+  }
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-20, 60);
   std::vector<Eigen::Vector2d> positions(300);
@@ -175,7 +182,12 @@ TEST(LikelihoodGrid, AgreesWithTheMapReadPointByPoint) {
       double expected = map.Silence(basis).value;
       for (const MapSweep::Reading& reading : sweeps[s].readings) {
         const FieldValue value = map.Evaluate(reading.field, basis);
-        const double r = (reading.rssi_dbm - value.mean_dbm) / std::exp(value.log_sigma);
+        const double shadow_db =
+            map.body_shadow_db *
+            sweeps[s].facing.dot(
+                BearingOf(map.fields[reading.field].source_m.cast<double>(), positions[i]).value);
+        const double r =
+            (reading.rssi_dbm - value.mean_dbm - shadow_db) / std::exp(value.log_sigma);
         expected += 0.5 * r * r + value.log_sigma - std::log(map.sigma_min_db) - value.logit_hear;
       }
       EXPECT_NEAR(nats[s][i], sweeps[s].weight * expected, 2e-3) << positions[i].transpose();
@@ -191,6 +203,8 @@ TEST(EvaluateSweeps, IsTheGridsAnswerHoweverOftenAndInWhateverOrder) {
       CollectMapSweeps(one.site, one.site.maps.front(), evidence, FingerprintSettings());
   auto louder = sweeps;
   louder[2].readings[0].rssi_dbm += 1;
+  auto facing = sweeps;
+  facing[1].facing = {0, 1};
   auto backwards_twice = sweeps;
   backwards_twice.insert(backwards_twice.end(), sweeps.rbegin(), sweeps.rend());
   const std::vector<Eigen::Vector2d> positions = {{5, 5}, {20, 12}, {33, 8}};
@@ -198,11 +212,13 @@ TEST(EvaluateSweeps, IsTheGridsAnswerHoweverOftenAndInWhateverOrder) {
   const LossSettings none, huber = {LossKind::kHuber, 1.345};
   RadioMap altered = one.site.maps.front();
   altered.fields[0].log_sigma[7] += 0.5F;
+  RadioMap shaded = one.site.maps.front();
+  shaded.body_shadow_db = 3;
   const std::vector<const RadioMap*> maps = {&one.site.maps.front(), &other.site.maps.front(),
-                                             &altered};
+                                             &altered, &shaded};
   for (int round = 0; round < 2; ++round) {
     for (const RadioMap* map : maps) {
-      for (const auto& scans : {sweeps, louder, backwards_twice}) {
+      for (const auto& scans : {sweeps, louder, facing, backwards_twice}) {
         for (const auto& places : {positions, moved}) {
           for (const LossSettings& loss : {none, huber}) {
             for (const RssiOffsetPrior& offset : {RssiOffsetPrior{0, 3}, RssiOffsetPrior{2, 3}}) {
