@@ -22,11 +22,11 @@ namespace walkgraph {
 // out of the posterior again (see CostConstant).
 
 // How strong the readings of (part of) a scan are. With m, s the map's mean and spread, s_min the
-// map's smallest, z_i the readings (dBm), b the device's offset (dB), h the direction of walking
-// and a t_i(u) the shadow of the body (amplitude and bearing of the transmitter, see
+// map's smallest, z_i the readings (dBm), p_i their precision (mostly 1), b the device's offset
+// (dB), h the direction of walking and a t_i(u) amplitude and bearing of the body's shadow (see
 // body_shadow.h), row i and the last row are
-//   sqrt(w) rho(sqrt(p_i) (z_i + b - m_i(u) - a h . t_i(u)) / s_i(u)),   p_i its precision, mostly
-//   1, sqrt(w) sqrt(2 sum_i log(s_i(u) / s_min) + kRowOffset),
+//   sqrt(w) rho(sqrt(p_i) (z_i + b - m_i(u) - a h . t_i(u)) / s_i(u)),
+//   sqrt(w) sqrt(2 sum_i log(s_i(u) / s_min) + kRowOffset),
 // so that no optimum can flee to where the map knows nothing. rho is the loss, reading by reading.
 // Blocks: position, map error, RSSI offset, heading.
 class FingerprintFactor : public ceres::CostFunction {

@@ -25,9 +25,9 @@ constexpr double kHalfWayS = 0.5;                 // a velocity is taken over tw
 using Biases = Eigen::Vector2d;
 
 struct Row {
-  double weight = 0;   // 1/dB^2
-  Biases regressors;   // dB per s of lag, and per dB of shadow
-  double residual_db;  // what was read beyond the map
+  double weight = 0;                   // 1/dB^2
+  Biases regressors = Biases::Zero();  // dB per s of lag, and per dB of shadow
+  double residual_db = 0;              // what was read beyond the map
 };
 
 // Weighted least squares of residuals on both regressors, of which some may be left out.

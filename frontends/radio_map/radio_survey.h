@@ -11,10 +11,10 @@
 
 namespace walkgraph {
 
-// The scans of a survey in their places.
+// The scans of a survey in their places. To be moved, never copied: its floors point into it.
 struct PlacedSurvey {
   std::vector<SurveyScan> scans;
-  std::vector<FloorSurvey> floors;  // point into scans
+  std::vector<FloorSurvey> floors;
 };
 
 // What one radio heard on the survey, to be placed with one lag and shadow after another. All that

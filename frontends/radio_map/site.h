@@ -89,9 +89,8 @@ struct Site {
   std::vector<SurveyedOffset> barometric_offsets;  // by walk
   std::vector<DeviceLoudness> loudness;            // by radio, then device
   // How long after its stamp a reading of a radio speaks of the place where the phone was, s.
-  // Clocks play a part, and the walker's body, which makes what lies ahead sound nearer than what
-  // lies behind. Calibrated in the survey, whose readings were placed with it; AlignReadings()
-  // gives evidence the same.
+  // Calibrated in the survey (see direction_bias.h), whose readings were placed with it;
+  // AlignReadings() gives evidence the same.
   std::array<double, kRadioCount> reading_lag_s{};
 
   // The map of a floor and radio, or nullptr where nothing was surveyed.
