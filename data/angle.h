@@ -1,6 +1,7 @@
 #ifndef WALKGRAPH_DATA_ANGLE_H_
 #define WALKGRAPH_DATA_ANGLE_H_
 
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,11 @@ inline constexpr double DegreesToRadians(double degrees) {
 }
 inline constexpr double RadiansToDegrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
+}
+
+// Unit vector along a heading.
+inline Eigen::Vector2d DirectionOf(double heading_rad) {
+  return {std::cos(heading_rad), std::sin(heading_rad)};
 }
 
 }  // namespace walkgraph

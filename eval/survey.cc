@@ -91,9 +91,8 @@ std::string CalibrationOfSite(const Site& site, const TrainerSettings& settings)
                                   [radio](const RadioMap& m) { return m.radio == radio; });
     if (map == site.maps.end()) continue;
     text += Line(
-        "# In the site, %s readings lag by %.2f s, the body shadows them by %.2f dB, and walks "
-        "hear "
-        "%.1f dB apart\n",
+        "# In the site, %s readings lag by %.2f s, the body shadows them by %.2f dB, and "
+        "walks hear %.1f dB apart\n",
         RadioName(radio), site.reading_lag_s[static_cast<std::size_t>(radio)], map->body_shadow_db,
         EstimateDeviceOffsets(site.scans, radio, settings.sample_spacing_m).spread_db);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/angle.h"
+
 namespace walkgraph {
 namespace {
 
@@ -59,7 +61,7 @@ DeadReckonedPath DeadReckon(const Site& site, const Evidence& evidence,
       Append(step.begin_ns, position, &path.position_m);
       const TimeNs middle = step.begin_ns + (step.end_ns - step.begin_ns) / 2;
       const double heading = path.HeadingAt(middle);
-      position += scale * step.length_m * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+      position += scale * step.length_m * DirectionOf(heading);
       Append(step.end_ns, position, &path.position_m);
     }
   }

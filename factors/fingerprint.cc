@@ -3,35 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/angle.h"
 #include "factors/cost.h"
 #include "factors/loss.h"
 #include "factors/map_look.h"
-#include "frontends/radio_map/bearing.h"
 
 namespace walkgraph {
-namespace {
-
-// What the walker's body adds to a reading.
-struct Shadow {
-  double value_db = 0;
-  Eigen::Vector2d by_position = Eigen::Vector2d::Zero();  // dB/m
-  double by_heading = 0;                                  // dB/rad
-};
-
-// `ahead` is the direction of walking, a unit vector.
-Shadow ShadowOn(const RadioMap& map, int field, const Eigen::Vector2d& place,
-                const Eigen::Vector2d& ahead) {
-  if (map.body_shadow_db == 0) return {};
-  const auto source = map.fields[static_cast<std::size_t>(field)].source_m.cast<double>();
-  const Bearing bearing = BearingOf(source, place);
-  const Eigen::Vector2d left(-ahead.y(), ahead.x());
-  return {map.body_shadow_db * ahead.dot(bearing.value),
-          map.body_shadow_db * bearing.by_position * ahead,
-          map.body_shadow_db * left.dot(bearing.value)};
-}
-
-}  // namespace
-
 FingerprintFactor::FingerprintFactor(const RadioMap* map, MapSweep sweep, const LossSettings& loss,
                                      double growth_per_sigma)
     : map_(map),
@@ -49,7 +26,7 @@ bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
   const MapLook look(*map_, growth_per_sigma_, blocks[0], blocks[1]);
   const FieldBasis& basis = look.basis();
   const double root_weight = std::sqrt(sweep_.weight);
-  const Eigen::Vector2d ahead(std::cos(blocks[3][0]), std::sin(blocks[3][0]));
+  const Eigen::Vector2d ahead = DirectionOf(blocks[3][0]);
   double spread_nats = 0;
   Eigen::Vector2d spread_gradient = Eigen::Vector2d::Zero();
   int row = 0;
@@ -58,7 +35,7 @@ bool FingerprintFactor::Evaluate(const double* const* blocks, double* residual,
     const ScalarValue log_sigma = map_->EvaluateLogSigma(reading.field, basis, gradients);
     const double information =
         std::sqrt(double{reading.precision}) * std::exp(-log_sigma.value);  // 1/dB
-    const Shadow shadow = ShadowOn(*map_, reading.field, look.place(), ahead);
+    const BodyShadow shadow = map_->ShadowOn(reading.field, look.place(), ahead);
     const double whitened =
         (reading.rssi_dbm + blocks[2][0] - mean.value - shadow.value_db) * information;
     const RobustRow robust = ApplyLoss(loss_, whitened);

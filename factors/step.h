@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "data/angle.h"
 #include "factors/cost.h"
 
 namespace walkgraph {
@@ -58,7 +59,7 @@ struct StepFactor {
   // Where the step ends.
   Eigen::Vector2d Predict(const Eigen::Vector2d& p0, double h0, double h1, double scale) const {
     const double heading = 0.5 * (h0 + h1);
-    return p0 + scale * length_m * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+    return p0 + scale * length_m * DirectionOf(heading);
   }
 
   double LogNormaliser() const {

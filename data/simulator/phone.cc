@@ -58,7 +58,7 @@ class GaitAcceleration {
     const WalkState& state = states[i];
     const double amplitude = 0.5 * Swing(states, i);
     const double phase = kTurn * state.step_phase;
-    const Eigen::Vector2d forward(std::cos(state.heading_rad), std::sin(state.heading_rad));
+    const Eigen::Vector2d forward = DirectionOf(state.heading_rad);
     const Eigen::Vector2d left(-forward.y(), forward.x());
     Eigen::Vector3d acceleration;
     acceleration.head<2>() = kForwardShare * amplitude * std::sin(phase) * forward +

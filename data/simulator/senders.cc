@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "data/angle.h"
 #include "data/simulator/radio.h"
 
 namespace walkgraph {
@@ -134,7 +135,7 @@ double MeanRssiDbm(const Plan& plan, const Sender& sender, const Eigen::Vector2d
 double DrawRssiDbm(const Plan& plan, const Sender& sender, const WalkState& state,
                    const PropagationSettings& settings, Random* random) {
   const Eigen::Vector2d to_phone = sender.position_m.head<2>() - state.position_m;
-  const Eigen::Vector2d facing(std::cos(state.heading_rad), std::sin(state.heading_rad));
+  const Eigen::Vector2d facing = DirectionOf(state.heading_rad);
   const double ahead = to_phone.normalized().dot(facing);
   const double body_db = 0.5 * settings.body_loss_db * ahead;  // the mean is in the power
   return MeanRssiDbm(plan, sender, state.position_m, state.height_m, settings) + body_db +

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "data/angle.h"
 #include "eval/honesty/planned_inputs.h"
 #include "eval/honesty/random_field.h"
 #include "factors/absolute_heading.h"
@@ -14,7 +15,6 @@
 #include "factors/heading_increment.h"
 #include "factors/position_hold.h"
 #include "factors/step.h"
-#include "frontends/radio_map/bearing.h"
 #include "graph/map_error_states.h"
 #include "graph/node_times.h"
 #include "graph/walk_graph.h"
@@ -163,15 +163,14 @@ class WalkSampler {
     const Eigen::Map<const Eigen::Vector2d> map_error(graph().value(factor.blocks[blocks - 3]));
     const double offset_db = *graph().value(factor.blocks[blocks - 2]);
     const double heading_rad = *graph().value(factor.blocks[blocks - 1]);
-    const Eigen::Vector2d ahead(std::cos(heading_rad), std::sin(heading_rad));
+    const Eigen::Vector2d ahead = DirectionOf(heading_rad);
     const Eigen::Vector2d place = position + map_error;
     const FieldBasis basis = EvaluateBasis(map.grid, place);
     for (std::size_t i = 0; i < map.fields.size(); ++i) {
       const FieldValue field = map.EvaluateValue(static_cast<int>(i), basis);
       if (random_.Uniform() >= 1.0 / (1.0 + std::exp(-field.logit_hear))) continue;
-      const Bearing bearing = BearingOf(map.fields[i].source_m.cast<double>(), place);
-      const double shadow_db = map.body_shadow_db * ahead.dot(bearing.value);
-      const double mean_dbm = field.mean_dbm + shadow_db - offset_db;
+      const BodyShadow shadow = map.ShadowOn(static_cast<int>(i), place, ahead);
+      const double mean_dbm = field.mean_dbm + shadow.value_db - offset_db;
       const double rssi_dbm = random_.Normal(mean_dbm, std::exp(field.log_sigma));
       readings->push_back(
           {time_ns, time_ns, map.fields[i].transmitter, static_cast<float>(rssi_dbm)});

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "data/angle.h"
+
 namespace walkgraph {
 namespace {
 
@@ -34,8 +36,7 @@ class Planner {
 
  private:
   Eigen::Vector2d Ahead(double heading_rad, int steps) const {
-    return position_m_ +
-           steps * kStepLengthM * Eigen::Vector2d(std::cos(heading_rad), std::sin(heading_rad));
+    return position_m_ + steps * kStepLengthM * DirectionOf(heading_rad);
   }
 
   // A turn after which the leg stays inside the box; back where none does.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "data/angle.h"
+
 namespace walkgraph {
 
 RandomField RandomField::SquaredExponential(double length_m, Random random) {
@@ -22,7 +24,7 @@ RandomField RandomField::Exponential(double length_m, Random random) {
     const double outside = 1.0 - random.Uniform();
     const double radius = std::sqrt(1.0 / (outside * outside) - 1.0) / length_m;
     const double direction_rad = random.Uniform(0, 2 * std::numbers::pi);
-    wave.vector = radius * Eigen::Vector2d(std::cos(direction_rad), std::sin(direction_rad));
+    wave.vector = radius * DirectionOf(direction_rad);
     wave.phase_rad = random.Uniform(0, 2 * std::numbers::pi);
   }
   return field;

@@ -7,19 +7,18 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "frontends/radio_map/bearing.h"
+#include "data/angle.h"
+#include "frontends/radio_map/body_shadow.h"
 #include "frontends/radio_map/held_out_pieces.h"
 
 namespace walkgraph {
 namespace {
 
 constexpr double kLeastLagS = -0.75, kMostLagS = 2.25;
-const Eigen::Vector2d kPriorSigma(1.0, 3.0);      // s, dB
-constexpr std::size_t kSearchTransmitters = 150;  // of a floor, at most
-constexpr double kHalfWayS = 0.5;                 // a velocity is taken over twice this
+const Eigen::Vector2d kPriorSigma(1.0, 3.0);  // s, dB
+constexpr double kHalfWayS = 0.5;             // a velocity is taken over twice this
 
 // (lag, shadow) in s and dB.
 using Biases = Eigen::Vector2d;
@@ -88,14 +87,15 @@ class Regression {
 class StampedSurvey {
  public:
   explicit StampedSurvey(const RadioSurvey& survey)
-      : now_(survey.Place(0, kRange, 0)),
-        before_(survey.Scans(-kHalfWayS, kRange, 0)),
-        after_(survey.Scans(kHalfWayS, kRange, 0)) {}
+      : now_(survey.Scans(0, kRange)),
+        before_(survey.Scans(-kHalfWayS, kRange)),
+        after_(survey.Scans(kHalfWayS, kRange)) {}
 
-  const std::vector<FloorSurvey>& floors() const { return now_.floors; }
+  // Of all floors, as they are stamped.
+  const std::vector<SurveyScan>& scans() const { return now_; }
 
   std::vector<Row> RowsOf(const RadioMap& map, const SurveyScan& scan) const {
-    const auto index = static_cast<std::size_t>(&scan - now_.scans.data());
+    const auto index = static_cast<std::size_t>(&scan - now_.data());
     std::vector<Row> rows;
     for (std::size_t i = 0; i < scan.readings.size(); ++i) {
       const SurveyReading& reading = scan.readings[i];
@@ -106,11 +106,12 @@ class StampedSurvey {
           (after_[index].readings[i].position_m - before_[index].readings[i].position_m)
               .cast<double>() /
           (2 * kHalfWayS);
-      const Eigen::Vector2d ahead(std::cos(reading.heading_rad), std::sin(reading.heading_rad));
+      const Eigen::Vector2d ahead = DirectionOf(double{reading.heading_rad});
       const FieldValue value = map.Evaluate(field, EvaluateBasis(map.grid, at));
       const auto source = map.fields[static_cast<std::size_t>(field)].source_m.cast<double>();
+      const BodyShadow unit = ShadowOf(1.0, BearingOf(source, at), ahead);
       rows.push_back({std::exp(-2 * value.log_sigma),
-                      {velocity_mps.dot(value.d_mean), ahead.dot(BearingOf(source, at).value)},
+                      {velocity_mps.dot(value.d_mean), unit.value_db},
                       reading.rssi_dbm - value.mean_dbm});
     }
     return rows;
@@ -119,8 +120,7 @@ class StampedSurvey {
  private:
   // Of the same readings all three times.
   static constexpr LagRange kRange{-kHalfWayS, kHalfWayS};
-  PlacedSurvey now_;
-  std::vector<SurveyScan> before_, after_;
+  std::vector<SurveyScan> now_, before_, after_;
 };
 
 // Nothing where no floor has enough walks.
@@ -129,7 +129,8 @@ std::optional<Regression::Fit> FitBiases(const RadioSurvey& survey, const Execut
   Regression regression({settings.calibrate_lag ? 1.0 : 0.0, settings.shade_readings ? 1.0 : 0.0});
   bool any = false;
   const StampedSurvey stamped(survey);
-  for (const FloorSurvey& floor : stamped.floors()) {
+  for (const int number : FloorsOf(stamped.scans())) {
+    const FloorSurvey floor = survey.OfFloor(stamped.scans(), number);
     HeldOutTrials trials(floor, settings, kSearchTransmitters, run);
     if (!trials.enough()) continue;
     any = true;

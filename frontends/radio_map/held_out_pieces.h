@@ -12,6 +12,9 @@
 
 namespace walkgraph {
 
+// The transmitters of a floor that the searches for a model and for the biases of directions see,
+// at most: a hundred walks are to be trained on in seconds.
+inline constexpr std::size_t kSearchTransmitters = 150;
 // Trials are held out in thirds.
 inline constexpr std::size_t kCalibrationFolds = 3;
 // By which held-out pieces are moved.

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "frontends/radio_map/body_shadow.h"
 #include "frontends/radio_map/hearing.h"
 #include "frontends/radio_map/survey_scans.h"
+#include "frontends/radio_map/survey_shadows.h"
 
 namespace walkgraph {
 namespace {
@@ -233,6 +233,23 @@ FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path,
     high = high.cwiseMax(point.position_m);
   }
   return GridOverBox(low, high, settings.grid_spacing_m);
+}
+
+std::set<int> FloorsOf(const std::vector<SurveyScan>& scans) {
+  std::set<int> floors;
+  for (const SurveyScan& scan : scans) floors.insert(scan.floor);
+  return floors;
+}
+
+FloorSurvey SurveyOfFloor(const Building& building, const std::vector<SurveyPoint>& path,
+                          const std::vector<SurveyScan>& scans, int floor, Radio radio,
+                          const TrainerSettings& settings) {
+  FloorSurvey survey{floor, radio, {}, {}};
+  survey.grid = CoveringGrid(building.FindFloor(floor), path, floor, settings);
+  for (const SurveyScan& scan : scans) {
+    if (scan.floor == floor && scan.radio == radio) survey.scans.push_back(&scan);
+  }
+  return survey;
 }
 
 MapInput MakeMapInput(const FloorSurvey& survey, const TrainerSettings& settings,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "frontends/radio_map/executor.h"
@@ -60,6 +61,14 @@ FieldGrid GridOverBox(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_
 FieldGrid CoveringGrid(const Floor* floor, const std::vector<SurveyPoint>& path, int floor_number,
                        const TrainerSettings& settings);
 
+// The floors that any of the scans is on.
+std::set<int> FloorsOf(const std::vector<SurveyScan>& scans);
+
+// What one radio heard on one floor, of all the scans and the whole path of a survey.
+FloorSurvey SurveyOfFloor(const Building& building, const std::vector<SurveyPoint>& path,
+                          const std::vector<SurveyScan>& scans, int floor, Radio radio,
+                          const TrainerSettings& settings);
+
 // What the maps of one survey have in common, whatever their model.
 struct MapInput {
   int floor = 0;
@@ -67,7 +76,7 @@ struct MapInput {
   FieldGrid grid;
   std::map<std::uint32_t, std::vector<FieldSample>> samples;   // of each transmitter kept
   std::map<std::uint32_t, std::vector<std::size_t>> heard_in;  // scans of each transmitter
-  std::map<std::uint32_t, Eigen::Vector2d> sources_m;          // see body_shadow.h
+  std::map<std::uint32_t, Eigen::Vector2d> sources_m;          // see survey_shadows.h
   std::vector<Eigen::Vector2d> sweep_places;                   // of each scan
   std::vector<float> survey_distance_m;                        // see RadioMap
 };

@@ -14,9 +14,7 @@ namespace walkgraph {
 namespace {
 
 constexpr std::size_t kWalksPerFold = 16;
-// The search for a model and calibration see this many transmitters of a floor, and samples of
-// each, at most: a hundred walks are to be trained on in seconds.
-constexpr std::size_t kSearchTransmitters = 150;
+// Calibration sees more transmitters than the searches.
 constexpr std::size_t kCalibrationTransmitters = 400;
 
 // A coarse grid compares field models and hearing weights, the fine one sets the numbers.

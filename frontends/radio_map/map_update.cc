@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "frontends/radio_map/body_shadow.h"
 #include "frontends/radio_map/survey_scans.h"
+#include "frontends/radio_map/survey_shadows.h"
 
 namespace walkgraph {
 namespace {

@@ -162,4 +162,11 @@ FieldValue RadioMap::EvaluateValue(int field, const FieldBasis& basis) const {
   return value;
 }
 
+BodyShadow RadioMap::ShadowOn(int field, const Eigen::Vector2d& position_m,
+                              const Eigen::Vector2d& ahead) const {
+  if (body_shadow_db == 0) return {};
+  const auto source = fields[static_cast<std::size_t>(field)].source_m.cast<double>();
+  return ShadowOf(body_shadow_db, BearingOf(source, position_m), ahead);
+}
+
 }  // namespace walkgraph

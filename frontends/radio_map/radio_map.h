@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "data/recording.h"
+#include "frontends/radio_map/body_shadow.h"
 
 namespace walkgraph {
 
@@ -96,6 +97,9 @@ class RadioMap {
   ScalarValue EvaluateLogitHear(int field, const FieldBasis& basis, bool gradient = true) const;
   // The same without gradients, several times faster.
   FieldValue EvaluateValue(int field, const FieldBasis& basis) const;
+  // What the body of somebody at a place who faces `ahead`, a unit vector, adds to a reading.
+  BodyShadow ShadowOn(int field, const Eigen::Vector2d& position_m,
+                      const Eigen::Vector2d& ahead) const;
   // Value and gradient (nats, nats/m) of silence_nats.
   ScalarValue Silence(const FieldBasis& basis) const {
     return EvaluateField(grid, silence_nats, basis);

@@ -11,14 +11,8 @@
 
 namespace walkgraph {
 
-// The scans of a survey in their places. To be moved, never copied: its floors point into it.
-struct PlacedSurvey {
-  std::vector<SurveyScan> scans;
-  std::vector<FloorSurvey> floors;
-};
-
-// What one radio heard on the survey, to be placed with one lag and shadow after another. All that
-// it refers to must outlive it.
+// What one radio heard on the survey, to be placed with one lag after another. All that it refers
+// to must outlive it.
 struct RadioSurvey {
   const Building& building;
   const std::vector<SurveyWalk>& walks;
@@ -27,10 +21,10 @@ struct RadioSurvey {
   Radio radio = Radio::kWifi;
   const TrainerSettings& settings;
 
-  // By walk, then time. The arguments are those of PlaceScans and SetBodyShadows.
-  std::vector<SurveyScan> Scans(double lag_s, const LagRange& placed, double body_shadow_db) const;
-  // The same by floor.
-  PlacedSurvey Place(double lag_s, const LagRange& placed, double body_shadow_db) const;
+  // By walk, then time. The arguments are those of PlaceScans.
+  std::vector<SurveyScan> Scans(double lag_s, const LagRange& placed) const;
+  // Those of them on one floor. They must outlive it.
+  FloorSurvey OfFloor(const std::vector<SurveyScan>& scans, int floor) const;
 };
 
 }  // namespace walkgraph

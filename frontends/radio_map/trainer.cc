@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include "frontends/radio_map/map_calibration.h"
 #include "frontends/radio_map/radio_survey.h"
 #include "frontends/radio_map/survey_scans.h"
+#include "frontends/radio_map/survey_shadows.h"
 
 namespace walkgraph {
 namespace {
@@ -52,21 +54,14 @@ void AppendMagnetic(const std::vector<SurveyWalk>& walks, std::size_t index,
 }
 
 FloorSurvey SurveyOf(const Site& site, int floor, Radio radio, const TrainerSettings& settings) {
-  FloorSurvey survey{floor, radio, {}, {}};
-  survey.grid = CoveringGrid(site.building.FindFloor(floor), site.path, floor, settings);
-  for (const SurveyScan& scan : site.scans) {
-    if (scan.floor == floor && scan.radio == radio) survey.scans.push_back(&scan);
-  }
-  return survey;
+  return SurveyOfFloor(site.building, site.path, site.scans, floor, radio, settings);
 }
 
 using BodyShadows = std::array<double, kRadioCount>;  // dB
 
 void TrainMaps(const TrainerSettings& settings, const BodyShadows& body_shadow_db,
                const Executor& run, Site* site) {
-  std::set<int> floors;
-  for (const SurveyScan& scan : site->scans) floors.insert(scan.floor);
-  for (const int floor : floors) {
+  for (const int floor : FloorsOf(site->scans)) {
     for (const Radio radio : kAllRadios) {
       const FloorSurvey survey = SurveyOf(*site, floor, radio, settings);
       if (survey.scans.empty()) continue;
@@ -145,9 +140,9 @@ Site TrainSite(const Building& building, const std::vector<SurveyWalk>& walks,
     const auto [lag_s, shadow_db] = CalibrateDirectionBias(survey, run);
     site.reading_lag_s[r] = lag_s;
     body_shadow_db[r] = shadow_db;
-    for (SurveyScan& scan : survey.Scans(lag_s, {lag_s, lag_s}, shadow_db)) {
-      site.scans.push_back(std::move(scan));
-    }
+    std::vector<SurveyScan> scans = survey.Scans(lag_s, {lag_s, lag_s});
+    SetBodyShadows(shadow_db, &scans);
+    std::move(scans.begin(), scans.end(), std::back_inserter(site.scans));
   }
   std::stable_sort(site.scans.begin(), site.scans.end(),
                    [](const SurveyScan& a, const SurveyScan& b) {

@@ -113,8 +113,7 @@ class Emissions {
   // is known.
   Eigen::Vector2d FacingAt(TimeNs time_ns) const {
     if (walk_.source != HeadingSource::kAbsolute) return Eigen::Vector2d::Zero();
-    const double heading_rad = walk_.HeadingAt(time_ns);
-    return {std::cos(heading_rad), std::sin(heading_rad)};
+    return DirectionOf(walk_.HeadingAt(time_ns));
   }
 
   // A reading heard between epochs speaks of the cell that the person passed then.

@@ -26,7 +26,7 @@ WalkedSum SumSteps(const Evidence& evidence, const DeadReckonedPath& path, doubl
     const double walked_m = length_m * inside_s / duration_s;
     const double heading = path.HeadingAt(step.begin_ns + (step.end_ns - step.begin_ns) / 2);
     sum.distance_m += walked_m;
-    sum.displacement_m += walked_m * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+    sum.displacement_m += walked_m * DirectionOf(heading);
   }
   return sum;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "factors/loss.h"
-#include "frontends/radio_map/bearing.h"
+#include "frontends/radio_map/body_shadow.h"
 
 namespace walkgraph {
 namespace {

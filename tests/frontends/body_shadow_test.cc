@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "frontends/radio_map/bearing.h"
+#include "frontends/radio_map/survey_shadows.h"
 #include "frontends/radio_world.h"
 
 namespace walkgraph {
@@ -15,8 +15,7 @@ SurveyScan ScanAt(int floor, std::uint32_t transmitter, float rssi_dbm, float x_
                   double heading_rad) {
   SurveyScan scan;
   scan.floor = floor;
-  scan.readings.push_back(
-      {transmitter, rssi_dbm, 0, {x_m, 0.0F}, static_cast<float>(heading_rad)});
+  scan.readings.push_back({transmitter, rssi_dbm, 0, {x_m, 0.0F}, static_cast<float>(heading_rad)});
   return scan;
 }
 
@@ -50,9 +49,9 @@ TEST(BodyShadowTest, SourcesAreWhereTheyAreHeardLoudest) {
 TEST(BodyShadowTest, StrengthensWhatLiesAheadAndWeakensWhatLiesBehind) {
   // The source is at the loud reading, x = 0; the quiet ones, far away, face it and turn their
   // backs on it. On another floor the source is elsewhere.
-  std::vector<SurveyScan> scans = {ScanAt(0, 7, -30, 0, 0), ScanAt(0, 7, -90, 100, std::numbers::pi),
-                                   ScanAt(0, 7, -90, 100, 0), ScanAt(1, 7, -30, 200, 0),
-                                   ScanAt(1, 7, -90, 100, 0)};
+  std::vector<SurveyScan> scans = {
+      ScanAt(0, 7, -30, 0, 0), ScanAt(0, 7, -90, 100, std::numbers::pi), ScanAt(0, 7, -90, 100, 0),
+      ScanAt(1, 7, -30, 200, 0), ScanAt(1, 7, -90, 100, 0)};
   SetBodyShadows(2.0, &scans);
   const double most = 2.0 * 100 / std::hypot(100, kBearingSoftness);
   EXPECT_NEAR(scans[0].readings[0].shadow_db, 0.0, 1e-3);

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "frontends/radio_map/bearing.h"
+#include "frontends/radio_map/body_shadow.h"
 #include "solvers/baselines/sweep_costs.h"
 #include "solvers/synthetic_site.h"
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "data/angle.h"
+
 namespace walkgraph::mufaf_room {
 namespace {
 
@@ -76,8 +78,7 @@ std::vector<Eigen::Vector2d> Room::Route() {
   double heading = angle(random_);
   while (route.size() < kSteps) {
     heading += Normal(&random_, kTurnRad);
-    const Eigen::Vector2d next =
-        route.back() + kStepM * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+    const Eigen::Vector2d next = route.back() + kStepM * DirectionOf(heading);
     if (next.x() < 0 || next.x() > kColumns || next.y() < 0 || next.y() > kRows) {
       heading = angle(random_);
       continue;

@@ -7,12 +7,14 @@
 #include <numbers>
 #include <utility>
 
+#include "data/angle.h"
+
 namespace walkgraph {
 
 Eigen::Vector2d ParticleFilter::Normal2() {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - Uniform()));
   const double angle = 2.0 * std::numbers::pi * Uniform();
-  return radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  return radius * DirectionOf(angle);
 }
 
 ParticleFilter::ParticleFilter(int count, const FreeMotion& motion, std::uint64_t seed,

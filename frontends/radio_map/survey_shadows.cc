@@ -1,22 +1,18 @@
-#include "frontends/radio_map/body_shadow.h"
+#include "frontends/radio_map/survey_shadows.h"
 
-#include <array>
 #include <cmath>
 #include <utility>
 
-#include "frontends/radio_map/bearing.h"
+#include "data/angle.h"
+#include "frontends/radio_map/body_shadow.h"
 
 namespace walkgraph {
 namespace {
 
-Eigen::Vector2d DirectionOf(double heading_rad) {
-  return {std::cos(heading_rad), std::sin(heading_rad)};
-}
-
-double ShadowDb(double amplitude_db, const Eigen::Vector2d& source_m,
-                const SurveyReading& reading) {
-  const Eigen::Vector2d at = reading.position_m.cast<double>();
-  return amplitude_db * BearingOf(source_m, at).value.dot(DirectionOf(double{reading.heading_rad}));
+void SetShadow(double amplitude_db, const Eigen::Vector2d& source_m, SurveyReading* reading) {
+  const Bearing bearing = BearingOf(source_m, reading->position_m.cast<double>());
+  const Eigen::Vector2d ahead = DirectionOf(double{reading->heading_rad});
+  reading->shadow_db = static_cast<float>(ShadowOf(amplitude_db, bearing, ahead).value_db);
 }
 
 }  // namespace
@@ -45,8 +41,7 @@ void SetBodyShadows(double amplitude_db, std::vector<SurveyScan>* scans) {
   for (const auto& [floor, list] : by_floor) sources[floor] = LocateSources(list);
   for (SurveyScan& scan : *scans) {
     for (SurveyReading& reading : scan.readings) {
-      const Eigen::Vector2d& source = sources[scan.floor].at(reading.transmitter);
-      reading.shadow_db = static_cast<float>(ShadowDb(amplitude_db, source, reading));
+      SetShadow(amplitude_db, sources[scan.floor].at(reading.transmitter), &reading);
     }
   }
 }
@@ -56,7 +51,7 @@ void SetBodyShadow(const RadioMap& map, SurveyScan* scan) {
     const int field = map.FindField(reading.transmitter);
     if (field < 0) continue;
     const auto source = map.fields[static_cast<std::size_t>(field)].source_m.cast<double>();
-    reading.shadow_db = static_cast<float>(ShadowDb(map.body_shadow_db, source, reading));
+    SetShadow(map.body_shadow_db, source, &reading);
   }
 }
 
