@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "frontends/radio_map/explained_variance.h"
+
 namespace walkgraph {
 namespace {
 
@@ -22,12 +24,15 @@ class Kernel {
       table_.push_back(prior.amplitude_db * prior.amplitude_db * (1.0 + r) * std::exp(-r));
     }
   }
-  double operator()(double distance_m) const {
-    const double at = std::min(distance_m * entries_per_m_, kEntries - 1.0);
-    const int i = static_cast<int>(at);
-    const double t = at - i;
-    const auto k = static_cast<std::size_t>(i);
-    return constant_ + (1.0 - t) * table_[k] + t * table_[k + 1];
+  // In place, of distances in metres.
+  void Apply(Eigen::Ref<Eigen::ArrayXd> distances_m) const {
+    for (double& distance_m : distances_m) {
+      const double at = std::min(distance_m * entries_per_m_, kEntries - 1.0);
+      const int i = static_cast<int>(at);
+      const double t = at - i;
+      const auto k = static_cast<std::size_t>(i);
+      distance_m = constant_ + (1.0 - t) * table_[k] + t * table_[k + 1];
+    }
   }
 
  private:
@@ -68,10 +73,11 @@ FieldProcess::FieldProcess(const std::vector<FieldSample>& samples, const FieldP
 Eigen::MatrixXd FieldProcess::Covariance(const Eigen::Matrix2Xd& positions_m) const {
   const Kernel kernel(prior_);
   Eigen::MatrixXd covariance(positions_m_.cols(), positions_m.cols());
+  const Eigen::ArrayXd x_m = positions_m_.row(0), y_m = positions_m_.row(1);
   for (Eigen::Index j = 0; j < positions_m.cols(); ++j) {
-    for (Eigen::Index i = 0; i < positions_m_.cols(); ++i) {
-      covariance(i, j) = kernel((positions_m_.col(i) - positions_m.col(j)).norm());
-    }
+    auto column = covariance.col(j).array();
+    column = ((x_m - positions_m(0, j)).square() + (y_m - positions_m(1, j)).square()).sqrt();
+    kernel.Apply(column);
   }
   return covariance;
 }
@@ -82,14 +88,11 @@ void FieldProcess::Predict(const Eigen::Matrix2Xd& positions_m, Eigen::VectorXd*
   *mean_dbm = (cross.transpose() * alpha_).array() + prior_.constant_mean_dbm;
   // The variance is a difference of similar numbers only where it is small against the noise, so
   // single precision does.
-  Eigen::MatrixXf explained = cross.cast<float>();
-  lower_.cast<float>().eval().triangularView<Eigen::Lower>().solveInPlace(explained);
+  const Eigen::ArrayXf explained = ExplainedVariance(lower_.cast<float>(), cross.cast<float>());
   const double total = prior_.constant_sigma_db * prior_.constant_sigma_db +
                        prior_.amplitude_db * prior_.amplitude_db;
   const double noise = prior_.noise_db * prior_.noise_db;
-  const Eigen::ArrayXd left =
-      total - explained.colwise().squaredNorm().transpose().cast<double>().array();
-  *sigma_db = (left.max(0.0) + noise).sqrt();
+  *sigma_db = ((total - explained.cast<double>()).max(0.0) + noise).sqrt();
 }
 
 FieldProcess::LeftOut FieldProcess::LeaveOneTrialOut() const {

@@ -57,28 +57,26 @@ inline const SurveyedScene* SampleScene() {
   return kScene;
 }
 
-// A recorded floor; nullptr where WALKGRAPH_REAL_DATA does not lead to it.
 struct RecordedFloor {
   Building building;
   std::vector<LoadedWalk> walks;
 };
-inline const RecordedFloor* Recorded() {
-  static const RecordedFloor* const kFloor = []() -> const RecordedFloor* {
-    const char* root = std::getenv("WALKGRAPH_REAL_DATA");
-    const std::string folder = root == nullptr ? "" : std::string(root) + "/ilc20/data/site1/F2";
-    if (!std::filesystem::is_directory(folder)) return nullptr;
-    const Dataset dataset = OpenDataset(folder);
-    return new RecordedFloor{dataset.building, LoadAll(dataset, dataset.building)};
-  }();
-  return kFloor;
+
+// A recorded floor of the mall; nothing where WALKGRAPH_REAL_DATA does not lead to it.
+inline std::optional<RecordedFloor> ReadFloor(const std::string& name) {
+  const char* root = std::getenv("WALKGRAPH_REAL_DATA");
+  const std::string folder = root == nullptr ? "" : std::string(root) + "/ilc20/data/site1/" + name;
+  if (!std::filesystem::is_directory(folder)) return std::nullopt;
+  const Dataset dataset = OpenDataset(folder);
+  return RecordedFloor{dataset.building, LoadAll(dataset, dataset.building)};
 }
 
-// The floor without its walk that is closest to half a minute long, and that walk; nullptr where
+// Floor F2 without its walk that is closest to half a minute long, and that walk; nullptr where
 // there is no floor.
 inline const SurveyedScene* RecordedScene() {
   static const SurveyedScene* const kScene = []() -> const SurveyedScene* {
-    const RecordedFloor* floor = Recorded();
-    if (floor == nullptr) return nullptr;
+    const std::optional<RecordedFloor> floor = ReadFloor("F2");
+    if (!floor) return nullptr;
     const LoadedWalk* best = nullptr;
     double best_s = std::numeric_limits<double>::infinity();
     for (const LoadedWalk& walk : floor->walks) {
@@ -95,7 +93,7 @@ inline const SurveyedScene* RecordedScene() {
 
 using SceneSource = const SurveyedScene* (*)();
 
-// A scene or a floor as it is; where it is nullptr, after the benchmark has been told to skip.
+// As it is; where it is nullptr, after the benchmark has been told to skip.
 template <typename Recordings>
 const Recordings* OrSkip(benchmark::State& state, const Recordings* recordings) {
   if (recordings == nullptr) state.SkipWithError("WALKGRAPH_REAL_DATA does not lead to ilc20");

@@ -7,9 +7,9 @@
 namespace walkgraph {
 namespace {
 
-void BM_TrainFloor(benchmark::State& state) {
-  const RecordedFloor* floor = OrSkip(state, Recorded());
-  if (floor == nullptr) return;
+void BM_TrainFloor(benchmark::State& state, const char* name) {
+  const std::optional<RecordedFloor> floor = ReadFloor(name);
+  if (OrSkip(state, floor ? &*floor : nullptr) == nullptr) return;
   std::vector<const LoadedWalk*> training;
   for (const LoadedWalk& walk : floor->walks) training.push_back(&walk);
   const Executor run = ThreadedExecutor(static_cast<int>(state.range(0)));
@@ -18,7 +18,16 @@ void BM_TrainFloor(benchmark::State& state) {
   }
   state.counters["walks"] = static_cast<double>(training.size());
 }
-BENCHMARK(BM_TrainFloor)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_TrainFloor, F1, "F1")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_TrainFloor, F2, "F2")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace walkgraph
