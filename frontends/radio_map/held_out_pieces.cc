@@ -23,7 +23,7 @@ double OffsetGain(double slope, double information, const TrainerSettings& setti
   return 0.5 * variance * slope * slope / spread - 0.5 * std::log(spread);
 }
 
-ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
+ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan, const ShiftGrid& shifts,
                         const TrainerSettings& settings) {
   // The spread of a scan's readings along the walk matters less than the grid of shifts.
   const Eigen::Vector2d center = MeanPosition(scan);
@@ -32,11 +32,11 @@ ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan,
     const int field = map.FindField(reading.transmitter);
     if (field >= 0) known.emplace_back(field, double{reading.rssi_dbm} - reading.shadow_db);
   }
-  const auto shifts = static_cast<Eigen::Index>(kCalibrationShifts.size());
-  ScanCost cost{known.size(), Eigen::ArrayXd(shifts), Eigen::ArrayXd(shifts)};
-  for (Eigen::Index i = 0; i < shifts; ++i) {
+  const auto count = static_cast<Eigen::Index>(shifts.size());
+  ScanCost cost{known.size(), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
     const FieldBasis basis =
-        EvaluateBasis(map.grid, center + kCalibrationShifts.At(static_cast<std::size_t>(i)));
+        EvaluateBasis(map.grid, center + shifts.At(static_cast<std::size_t>(i)));
     double hearing = map.Silence(basis).value;
     double signal = 0, slope = 0, information = 0;
     for (const auto& [field, rssi_dbm] : known) {
@@ -59,12 +59,12 @@ double SurveyDistanceOf(const RadioMap& map, const SurveyScan& scan) {
   return map.SurveyDistance(EvaluateBasis(map.grid, MeanPosition(scan))).value;
 }
 
-void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettings& settings,
-                  std::vector<HeldOutPiece>* pieces) {
+void AppendPieces(const RadioMap& map, const ScanList& walk, const ShiftGrid& shifts,
+                  const TrainerSettings& settings, std::vector<HeldOutPiece>* pieces) {
   TimeNs piece_begin = 0;
   bool open = false;
   for (const SurveyScan* scan : walk) {
-    ScanCost cost = CostOverShifts(map, *scan, settings);
+    ScanCost cost = CostOverShifts(map, *scan, shifts, settings);
     if (cost.readings == 0) continue;
     if (!open || SecondsBetween(piece_begin, scan->printed_ns) > kPieceSeconds) {
       pieces->emplace_back();
@@ -80,6 +80,16 @@ void AppendPieces(const RadioMap& map, const ScanList& walk, const TrainerSettin
 }
 
 }  // namespace
+
+const ShiftGrid& WideShifts() {
+  static const ShiftGrid shifts(2.5, 8);
+  return shifts;
+}
+
+const ShiftGrid& FineShifts() {
+  static const ShiftGrid shifts(2.5, 8, 1, 5);
+  return shifts;
+}
 
 HeldOutTrials::HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& settings,
                              std::size_t max_transmitters, const Executor& run)
@@ -119,14 +129,14 @@ RadioMap HeldOutTrials::MapWithout(std::size_t fold, const FieldModel& model) {
   return BuildMap(FoldAt(fold).input, model, settings_, run_);
 }
 
-void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
-                               std::vector<HeldOutPiece>* pieces) {
+void HeldOutTrials::AppendFold(std::size_t fold, const FieldModel& model, const ShiftGrid& shifts,
+                               std::size_t max_walks, std::vector<HeldOutPiece>* pieces) {
   const RadioMap map = MapWithout(fold, model);
   const std::vector<const ScanList*>& held_out = HeldOut(fold);
   const std::size_t count = std::min(max_walks, held_out.size());
   std::vector<std::vector<HeldOutPiece>> of_walk(count);
   run_(count, [&](std::size_t i) {
-    AppendPieces(map, *held_out[i * held_out.size() / count], settings_, &of_walk[i]);
+    AppendPieces(map, *held_out[i * held_out.size() / count], shifts, settings_, &of_walk[i]);
   });
   for (std::vector<HeldOutPiece>& more : of_walk) {
     std::move(more.begin(), more.end(), std::back_inserter(*pieces));

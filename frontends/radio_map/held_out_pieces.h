@@ -17,8 +17,10 @@ namespace walkgraph {
 inline constexpr std::size_t kSearchTransmitters = 150;
 // Trials are held out in thirds.
 inline constexpr std::size_t kCalibrationFolds = 3;
-// By which held-out pieces are moved.
-inline constexpr ShiftGrid kCalibrationShifts(2.5, 8);
+// By which held-out pieces are moved, 21 m to each side: by steps of 2.5 m, which is enough to tell
+// models apart, or by half a metre in the middle, for dense surveys and clear air.
+const ShiftGrid& WideShifts();
+const ShiftGrid& FineShifts();
 
 // -log p of a scan, moved by every shift: of its signal strengths, and of what it heard and missed.
 struct ScanCost {
@@ -49,8 +51,8 @@ class HeldOutTrials {
   RadioMap MapWithout(std::size_t fold, const FieldModel& model);
 
   // Pieces of an even selection of at most `max_walks` walks of a fold, on the map of the others.
-  void AppendFold(std::size_t fold, const FieldModel& model, std::size_t max_walks,
-                  std::vector<HeldOutPiece>* pieces);
+  void AppendFold(std::size_t fold, const FieldModel& model, const ShiftGrid& shifts,
+                  std::size_t max_walks, std::vector<HeldOutPiece>* pieces);
 
  private:
   // A fold's walks, and what its maps are made of.

@@ -24,7 +24,10 @@ constexpr std::size_t kFolds = 3;
 constexpr std::size_t kPiecesPerFold = 40;
 constexpr std::size_t kPartSamples = 10;  // 5 s
 constexpr std::size_t kPieceParts = 4;
-constexpr ShiftGrid kShifts(0.5, 8);
+const ShiftGrid& Shifts() {
+  static const ShiftGrid shifts(0.5, 8);
+  return shifts;
+}
 constexpr std::array kCorrelationsS{0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0};
 constexpr std::array kErrorsM{0.25, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0};
 
@@ -77,10 +80,10 @@ using Part = Eigen::ArrayXd;
 using Piece = std::vector<Part>;  // up to 20 s
 
 Part CostOverShifts(const MagneticMap& map, const PlacedField* begin, const PlacedField* end) {
-  Part nats = Part::Zero(static_cast<Eigen::Index>(kShifts.size()));
+  Part nats = Part::Zero(static_cast<Eigen::Index>(Shifts().size()));
   for (const PlacedField* sample = begin; sample != end; ++sample) {
-    for (std::size_t i = 0; i < kShifts.size(); ++i) {
-      const FieldBasis basis = EvaluateBasis(map.grid, sample->position_m + kShifts.At(i));
+    for (std::size_t i = 0; i < Shifts().size(); ++i) {
+      const FieldBasis basis = EvaluateBasis(map.grid, sample->position_m + Shifts().At(i));
       for (int c = 0; c < 2; ++c) {
         const double log_sigma = map.LogSigma(c, basis).value;
         const double z = (sample->field_ut[c] - map.Mean(c, basis).value) * std::exp(-log_sigma);
@@ -114,7 +117,7 @@ void AppendPieces(const MagneticMap& map, const std::vector<PlacedField>& sample
 PiecePosterior Weighted(const Piece& piece, double weight) {
   std::vector<Part> parts;
   for (const Part& part : piece) parts.push_back(weight * part);
-  return PiecePosterior(parts);
+  return PiecePosterior(Shifts(), parts);
 }
 
 std::vector<Piece> HeldOutPieces(const std::vector<PlacedField>& samples,
@@ -136,7 +139,7 @@ std::vector<Piece> HeldOutPieces(const std::vector<PlacedField>& samples,
 // The correlation time and the map error with the best score: neither too bold nor too timid wins.
 void Calibrate(const std::vector<Piece>& pieces, MagneticMap* map) {
   double best_score = -std::numeric_limits<double>::infinity();
-  SharedErrorKernels kernels(kShifts);
+  SharedErrorKernels kernels(Shifts());
   for (const double correlation_s : kCorrelationsS) {
     std::vector<PiecePosterior> posteriors;
     for (const Piece& piece : pieces) {

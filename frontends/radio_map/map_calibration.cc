@@ -23,16 +23,23 @@ constexpr std::array kCoarseMapErrors{1.4, 2.8};
 constexpr std::array kNoGrowth{0.0};
 constexpr std::array kNEff{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0};
 constexpr std::array kHearWeights{0.2, 0.4, 0.7, 1.0};
-constexpr std::array kMapErrors{0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
+constexpr std::array kMapErrors{0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0};
 constexpr std::array kGrowths{0.125, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4};
 
-PiecePosterior PosteriorOf(const HeldOutPiece& piece, double n_eff, double hear_weight) {
+// Pieces of held-out walks with the shifts they were moved by.
+struct MovedPieces {
+  const ShiftGrid& shifts;
+  std::vector<HeldOutPiece> pieces;
+};
+
+PiecePosterior PosteriorOf(const ShiftGrid& shifts, const HeldOutPiece& piece, double n_eff,
+                           double hear_weight) {
   std::vector<Eigen::ArrayXd> nats;
   for (const ScanCost& scan : piece.scans) {
     const double weight = std::min(1.0, n_eff / static_cast<double>(scan.readings));
     nats.push_back(weight * (scan.signal_nats + hear_weight * scan.hearing_nats));
   }
-  return PiecePosterior(nats);
+  return PiecePosterior(shifts, nats);
 }
 
 // What is known of a calibrated number before a survey is seen: its default, within a factor of
@@ -79,17 +86,16 @@ void ScoreMapErrors(const std::vector<HeldOutPiece>& pieces,
   }
 }
 
-std::vector<Scored> ScoreCalibrations(const std::vector<HeldOutPiece>& pieces,
-                                      const CalibrationGrid& grid) {
+std::vector<Scored> ScoreCalibrations(const MovedPieces& moved, const CalibrationGrid& grid) {
   std::vector<Scored> scored;
-  SharedErrorKernels kernels(kCalibrationShifts);
+  SharedErrorKernels kernels(moved.shifts);
   for (const double n_eff : grid.n_effs) {
     for (const double hear_weight : grid.hear_weights) {
       std::vector<PiecePosterior> posteriors;
-      for (const HeldOutPiece& piece : pieces) {
-        posteriors.push_back(PosteriorOf(piece, n_eff, hear_weight));
+      for (const HeldOutPiece& piece : moved.pieces) {
+        posteriors.push_back(PosteriorOf(moved.shifts, piece, n_eff, hear_weight));
       }
-      ScoreMapErrors(pieces, posteriors, {.n_eff = n_eff, .hear_weight = hear_weight}, grid,
+      ScoreMapErrors(moved.pieces, posteriors, {.n_eff = n_eff, .hear_weight = hear_weight}, grid,
                      &kernels, &scored);
     }
   }
@@ -97,7 +103,7 @@ std::vector<Scored> ScoreCalibrations(const std::vector<HeldOutPiece>& pieces,
 }
 
 // The likeliest.
-Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const CalibrationGrid& grid) {
+Scored BestCalibration(const MovedPieces& pieces, const CalibrationGrid& grid) {
   Scored best;
   for (const Scored& trial : ScoreCalibrations(pieces, grid)) {
     if (trial.score > best.score) best = trial;
@@ -105,32 +111,32 @@ Scored BestCalibration(const std::vector<HeldOutPiece>& pieces, const Calibratio
   return best;
 }
 
-// The posterior mean of the logarithms: a survey of few pieces, for which half of the grid is as
-// likely as the best, gives no number of its own to each handful of walks.
-MapCalibration MeanCalibration(const std::vector<HeldOutPiece>& pieces,
-                               const CalibrationGrid& grid) {
+// Posterior means: a survey of few pieces, for which half of the grid is as likely as the best,
+// gives no number of its own to each handful of walks. Of the map error the variance, which is what
+// an error of unknown sigma has; of the others the logarithm.
+MapCalibration MeanCalibration(const MovedPieces& pieces, const CalibrationGrid& grid) {
   std::vector<Scored> scored = ScoreCalibrations(pieces, grid);
   double most = -std::numeric_limits<double>::infinity();
   for (Scored& trial : scored) {
     trial.score += LogPrior(trial.calibration);
     most = std::max(most, trial.score);
   }
-  double total = 0, log_n_eff = 0, log_hear = 0, log_sigma = 0, growth = 0;
+  double total = 0, log_n_eff = 0, log_hear = 0, variance_m2 = 0, growth = 0;
   for (const Scored& trial : scored) {
     const double weight = std::exp(trial.score - most);
     total += weight;
     log_n_eff += weight * std::log(trial.calibration.n_eff);
     log_hear += weight * std::log(trial.calibration.hear_weight);
-    log_sigma += weight * std::log(trial.calibration.map_error_sigma_m);
+    variance_m2 += weight * std::pow(trial.calibration.map_error_sigma_m, 2);
     growth += weight * trial.calibration.map_error_growth;
   }
-  return {std::exp(log_n_eff / total), std::exp(log_hear / total), std::exp(log_sigma / total),
+  return {std::exp(log_n_eff / total), std::exp(log_hear / total), std::sqrt(variance_m2 / total),
           growth / total};
 }
 
 double ModelScore(const FieldModel& model, HeldOutTrials* held_out) {
-  std::vector<HeldOutPiece> pieces;
-  held_out->AppendFold(0, model, kWalksPerFold, &pieces);
+  MovedPieces pieces{WideShifts(), {}};
+  held_out->AppendFold(0, model, pieces.shifts, kWalksPerFold, &pieces.pieces);
   const std::array hear_weights{MapCalibration().hear_weight};
   return BestCalibration(pieces, {kCoarseNEff, hear_weights, kCoarseMapErrors, kNoGrowth}).score;
 }
@@ -184,9 +190,9 @@ MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
                             const TrainerSettings& settings, const Executor& run) {
   HeldOutTrials held_out(survey, settings, kCalibrationTransmitters, run);
   if (!held_out.enough()) return {};
-  std::vector<HeldOutPiece> pieces;
+  MovedPieces pieces{FineShifts(), {}};
   for (std::size_t fold = 0; fold < kCalibrationFolds; ++fold) {
-    held_out.AppendFold(fold, model, kWalksPerFold, &pieces);
+    held_out.AppendFold(fold, model, pieces.shifts, kWalksPerFold, &pieces.pieces);
   }
   const Scored coarse =
       BestCalibration(pieces, {kCoarseNEff, kHearWeights, kCoarseMapErrors, kNoGrowth});

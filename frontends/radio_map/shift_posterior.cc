@@ -1,6 +1,9 @@
 #include "frontends/radio_map/shift_posterior.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 
 namespace walkgraph {
 namespace {
@@ -8,27 +11,47 @@ namespace {
 // Chance that a piece lies where nothing is known: keeps one lost walk from deciding the score.
 constexpr double kLostProbability = 0.02;
 
-// Probabilities proportional to exp(-nats).
-Eigen::ArrayXd Normalised(const Eigen::ArrayXd& nats) {
-  const Eigen::ArrayXd p = (nats.minCoeff() - nats).exp();
+// Probabilities proportional to area exp(-nats).
+Eigen::ArrayXd Normalised(const Eigen::ArrayXd& nats, const Eigen::ArrayXd& area_m2) {
+  const Eigen::ArrayXd p = area_m2 * (nats.minCoeff() - nats).exp();
   return p / p.sum();
 }
 
 }  // namespace
 
+ShiftGrid::ShiftGrid(double spacing_m, int half_count, int refined_half_count, int parts) {
+  std::vector<double> areas_m2;
+  const auto add_cell = [&](const Eigen::Vector2d& middle, int cuts) {
+    const double side_m = spacing_m / cuts;
+    for (int row = -(cuts / 2); row <= cuts / 2; ++row) {
+      for (int column = -(cuts / 2); column <= cuts / 2; ++column) {
+        shifts_m_.push_back(middle + side_m * Eigen::Vector2d(column, row));
+        areas_m2.push_back(side_m * side_m);
+      }
+    }
+  };
+  for (int row = -half_count; row <= half_count; ++row) {
+    for (int column = -half_count; column <= half_count; ++column) {
+      const bool refined = std::max(std::abs(row), std::abs(column)) <= refined_half_count;
+      add_cell(spacing_m * Eigen::Vector2d(column, row), refined ? parts : 1);
+    }
+  }
+  area_m2_ = Eigen::Map<const Eigen::ArrayXd>(areas_m2.data(), std::ssize(areas_m2));
+}
+
 SharedErrorKernel::SharedErrorKernel(const ShiftGrid& grid, double sigma_m)
-    : grid_(grid), weight_(static_cast<Eigen::Index>(grid.size())) {
+    : density_(static_cast<Eigen::Index>(grid.size())),
+      lost_density_(kLostProbability / grid.area_m2().sum()) {
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    weight_[static_cast<Eigen::Index>(i)] =
+    density_[static_cast<Eigen::Index>(i)] =
         std::exp(-0.5 * grid.At(i).squaredNorm() / (sigma_m * sigma_m));
   }
-  weight_ /= weight_.sum();
+  density_ /= (density_ * grid.area_m2()).sum();
 }
 
 double SharedErrorKernel::LogScoreAtTruth(const Eigen::ArrayXd& posterior) const {
-  const double density = (posterior * weight_).sum() / grid_.cell_m2();
-  const double lost = kLostProbability / (static_cast<double>(grid_.size()) * grid_.cell_m2());
-  return std::log((1.0 - kLostProbability) * density + lost);
+  const double density = (posterior * density_).sum();
+  return std::log((1.0 - kLostProbability) * density + lost_density_);
 }
 
 const SharedErrorKernel& SharedErrorKernels::At(double sigma_m) {
@@ -39,13 +62,14 @@ const SharedErrorKernel& SharedErrorKernels::At(double sigma_m) {
   return found->second;
 }
 
-PiecePosterior::PiecePosterior(const std::vector<Eigen::ArrayXd>& part_nats) {
+PiecePosterior::PiecePosterior(const ShiftGrid& grid,
+                               const std::vector<Eigen::ArrayXd>& part_nats) {
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(part_nats.front().size());
   for (const Eigen::ArrayXd& nats : part_nats) {
     sum += nats;
-    parts_.push_back(Normalised(nats));
+    parts_.push_back(Normalised(nats, grid.area_m2()));
   }
-  whole_ = Normalised(sum);
+  whole_ = Normalised(sum, grid.area_m2());
 }
 
 double PiecePosterior::Score(const SharedErrorKernel& kernel) const {

@@ -11,26 +11,20 @@ namespace walkgraph {
 // How well a map places a piece of a walk whose place is known: the posterior of a shift common to
 // all of the piece, whose density at zero is a proper score.
 
-// A square grid of shifts about the truth.
+// Shifts about the truth, each standing for a square cell.
 class ShiftGrid {
  public:
-  // (2 half_count + 1)^2 shifts.
-  constexpr ShiftGrid(double spacing_m, int half_count)
-      : spacing_m_(spacing_m), half_count_(half_count) {}
+  // (2 half_count + 1)^2 cells of `spacing_m`. Those at most `refined_half_count` from the middle
+  // are cut into `parts` x `parts`, an odd number: a map may be far off, and it may be sharp.
+  ShiftGrid(double spacing_m, int half_count, int refined_half_count = -1, int parts = 1);
 
-  constexpr std::size_t size() const {
-    return static_cast<std::size_t>(side()) * static_cast<std::size_t>(side());
-  }
-  Eigen::Vector2d At(std::size_t index) const {
-    const int i = static_cast<int>(index);
-    return spacing_m_ * Eigen::Vector2d(i % side() - half_count_, i / side() - half_count_);
-  }
-  double cell_m2() const { return spacing_m_ * spacing_m_; }
+  std::size_t size() const { return shifts_m_.size(); }
+  const Eigen::Vector2d& At(std::size_t index) const { return shifts_m_[index]; }
+  const Eigen::ArrayXd& area_m2() const { return area_m2_; }  // by shift
 
  private:
-  constexpr int side() const { return 2 * half_count_ + 1; }
-  double spacing_m_;
-  int half_count_;
+  std::vector<Eigen::Vector2d> shifts_m_;
+  Eigen::ArrayXd area_m2_;
 };
 
 // The normal density of an error of the map that the whole piece shares, over the shifts,
@@ -44,26 +38,26 @@ class SharedErrorKernel {
   double LogScoreAtTruth(const Eigen::ArrayXd& posterior) const;
 
  private:
-  ShiftGrid grid_;
-  Eigen::ArrayXd weight_;
+  Eigen::ArrayXd density_;  // 1/m^2
+  double lost_density_ = 0;
 };
 
-// Kernels of any sigma, each made once.
+// Kernels of any sigma, each made once. The grid must outlive them.
 class SharedErrorKernels {
  public:
   explicit SharedErrorKernels(const ShiftGrid& grid) : grid_(grid) {}
   const SharedErrorKernel& At(double sigma_m);
 
  private:
-  ShiftGrid grid_;
+  const ShiftGrid& grid_;
   std::map<double, SharedErrorKernel> by_sigma_m_;
 };
 
 // A piece of a walk as its parts see it, all of them together and each alone.
 class PiecePosterior {
  public:
-  // -log p of each part by shift, nats; at least one part.
-  explicit PiecePosterior(const std::vector<Eigen::ArrayXd>& part_nats);
+  // -log p of each part by shift of the grid, nats; at least one part.
+  PiecePosterior(const ShiftGrid& grid, const std::vector<Eigen::ArrayXd>& part_nats);
 
   // Once for the whole piece and once for the average part.
   double Score(const SharedErrorKernel& kernel) const;

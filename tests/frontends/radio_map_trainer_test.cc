@@ -135,13 +135,14 @@ TEST(TrainSiteTest, HangsNotOnTheOrderInWhichItsPartsAreRun) {
   EXPECT_GT(runs, 10U);
 }
 
-// A survey whose walks are each put down metres from where they went must be believed less.
+// A dense survey in clear air is off by a fraction of a metre; one whose walks are each put down
+// metres from where they went must be believed less.
 TEST(TrainSiteTest, CalibratesTheErrorThatScansShare) {
   RadioWorld exact(5), displaced(5);
   const Site good = TrainSite(exact.building, exact.Survey(1.5), {});
   const Site bad = TrainSite(displaced.building, displaced.Survey(1.5, 60.0, 5.0), {});
-  EXPECT_LE(OnlyMap(good).map_error_sigma_m, 2.0);
-  EXPECT_GT(OnlyMap(bad).map_error_sigma_m, OnlyMap(good).map_error_sigma_m);
+  EXPECT_LT(OnlyMap(good).map_error_sigma_m, 0.7);
+  EXPECT_GT(OnlyMap(bad).map_error_sigma_m, 2.0);
   EXPECT_GT(OnlyMap(good).n_eff, 0);
 }
 
