@@ -8,14 +8,10 @@
 #endif
 
 namespace walkgraph {
-namespace {
-
-Eigen::ArrayXf AnywhereExplained(const Eigen::MatrixXf& lower, const Eigen::MatrixXf& cross) {
-  const Eigen::MatrixXf solved = lower.triangularView<Eigen::Lower>().solve(cross);
-  return solved.colwise().squaredNorm().transpose().array();
-}
 
 #ifdef WALKGRAPH_HAS_AVX2_PATH
+
+namespace {
 
 // Right-hand sides solved together, two registers of eight, and rows of the factor that share what
 // they load: eight sums stay in registers.
@@ -91,9 +87,15 @@ Eigen::ArrayXf Avx2Explained(const Eigen::MatrixXf& lower, const Eigen::MatrixXf
   return squares;
 }
 
+}  // namespace
+
 #endif
 
-}  // namespace
+Eigen::ArrayXf PortableExplainedVariance(const Eigen::MatrixXf& lower,
+                                         const Eigen::MatrixXf& cross) {
+  const Eigen::MatrixXf solved = lower.triangularView<Eigen::Lower>().solve(cross);
+  return solved.colwise().squaredNorm().transpose().array();
+}
 
 Eigen::ArrayXf ExplainedVariance(const Eigen::MatrixXf& lower, const Eigen::MatrixXf& cross) {
 #ifdef WALKGRAPH_HAS_AVX2_PATH
@@ -101,7 +103,7 @@ Eigen::ArrayXf ExplainedVariance(const Eigen::MatrixXf& lower, const Eigen::Matr
     return Avx2Explained(lower, cross);
   }
 #endif
-  return AnywhereExplained(lower, cross);
+  return PortableExplainedVariance(lower, cross);
 }
 
 }  // namespace walkgraph

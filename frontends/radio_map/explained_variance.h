@@ -11,6 +11,10 @@ namespace walkgraph {
 // last digits differ from those of others.
 Eigen::ArrayXf ExplainedVariance(const Eigen::MatrixXf& lower, const Eigen::MatrixXf& cross);
 
+// The same on any processor.
+Eigen::ArrayXf PortableExplainedVariance(const Eigen::MatrixXf& lower,
+                                         const Eigen::MatrixXf& cross);
+
 }  // namespace walkgraph
 
 #endif  // WALKGRAPH_FRONTENDS_RADIO_MAP_EXPLAINED_VARIANCE_H_

@@ -23,13 +23,15 @@ TEST(ExplainedVarianceTest, IsTheSolutionsSquareInDoublePrecision) {
     const Eigen::MatrixXf lower = covariance.llt().matrixL().toDenseMatrix().cast<float>();
     for (const Eigen::Index m : {0, 1, 15, 16, 17, 40}) {
       const Eigen::MatrixXf cross = Random(n, m, &random);
-      const Eigen::ArrayXf explained = ExplainedVariance(lower, cross);
-      ASSERT_EQ(explained.size(), m);
       const Eigen::MatrixXd b = cross.cast<double>();
       const Eigen::MatrixXd solved = covariance.llt().solve(b);
-      for (Eigen::Index i = 0; i < m; ++i) {
-        const double expected = b.col(i).dot(solved.col(i));
-        EXPECT_NEAR(explained[i], expected, 1e-4 * expected) << n << " " << m;
+      for (const Eigen::ArrayXf& explained :
+           {ExplainedVariance(lower, cross), PortableExplainedVariance(lower, cross)}) {
+        ASSERT_EQ(explained.size(), m);
+        for (Eigen::Index i = 0; i < m; ++i) {
+          const double expected = b.col(i).dot(solved.col(i));
+          EXPECT_NEAR(explained[i], expected, 1e-4 * expected) << n << " " << m;
+        }
       }
     }
   }
