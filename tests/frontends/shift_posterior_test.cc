@@ -19,26 +19,29 @@ const ShiftGrid& Shifts() {
 }
 
 // What a scan says whose likelihood has a standard deviation of 2 m about `peak`.
-Eigen::ArrayXd NatsAbout(const Eigen::Vector2d& peak) {
-  Eigen::ArrayXd nats(static_cast<Eigen::Index>(Shifts().size()));
+Eigen::ArrayXd NatsAbout(const Eigen::Vector2d& peak, const ShiftGrid& shifts = Shifts()) {
+  Eigen::ArrayXd nats(static_cast<Eigen::Index>(shifts.size()));
   for (Eigen::Index i = 0; i < nats.size(); ++i) {
-    nats[i] = (Shifts().At(static_cast<std::size_t>(i)) - peak).squaredNorm() / 8.0;
+    nats[i] = (shifts.At(static_cast<std::size_t>(i)) - peak).squaredNorm() / 8.0;
   }
   return nats;
 }
 
 TEST(ShiftPosterior, ANormalPieceHasTheDensityOfTheConvolution) {
   const double sigma_m = 3.0;
-  SharedErrorKernels kernels(Shifts());
   const Eigen::Vector2d peak(2, -1);
-  const PiecePosterior piece(Shifts(), {NatsAbout(peak)});
   const double variance = 2.0 * 2.0 + sigma_m * sigma_m;
   const double density = std::exp(-0.5 * peak.squaredNorm() / variance) / (2.0 * M_PI * variance);
   // Twice: as a whole and as its only part. The chance of being lost takes 2 %.
   const double area_m2 = 25 * 25;
+  const double expected = 2.0 * std::log(0.98 * density + 0.02 / area_m2);
+  const auto score = [&](const ShiftGrid& shifts) {
+    const PiecePosterior piece(shifts, {NatsAbout(peak, shifts)});
+    return piece.Score(SharedErrorKernel(shifts, sigma_m));
+  };
+  EXPECT_NEAR(score(ShiftGrid(1.0, 12)), expected, 1e-3);
   // Where cells change their size the midpoint rule is good to 3e-3 nats.
-  EXPECT_NEAR(piece.Score(kernels.At(sigma_m)), 2.0 * std::log(0.98 * density + 0.02 / area_m2),
-              5e-3);
+  EXPECT_NEAR(score(Shifts()), expected, 5e-3);
 }
 
 TEST(ShiftPosterior, AGridWithAFineMiddleCoversTheSameArea) {
