@@ -24,7 +24,7 @@ class Kernel {
       table_.push_back(prior.amplitude_db * prior.amplitude_db * (1.0 + r) * std::exp(-r));
     }
   }
-  // In place, of distances in metres.
+  // Covariances (dB^2) in place of distances (m).
   void Apply(Eigen::Ref<Eigen::ArrayXd> distances_m) const {
     for (double& distance_m : distances_m) {
       const double at = std::min(distance_m * entries_per_m_, kEntries - 1.0);
