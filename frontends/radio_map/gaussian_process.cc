@@ -11,17 +11,18 @@
 namespace walkgraph {
 namespace {
 
+double Square(double value) { return value * value; }
+
 // Constant plus Matern-3/2 covariance over the squared distance, tabulated: a field needs it some
 // 100,000 times. Linear in the distance between entries 1/64 of the length scale apart (error under
 // 1e-4 of the amplitude squared).
 class Kernel {
  public:
   explicit Kernel(const FieldPrior& prior)
-      : entries_per_m_(64.0 / prior.length_m),
-        constant_(prior.constant_sigma_db * prior.constant_sigma_db) {
+      : entries_per_m_(64.0 / prior.length_m), constant_(Square(prior.constant_sigma_db)) {
     for (int i = 0; i <= kEntries; ++i) {
       const double r = std::numbers::sqrt3 * i / 64.0;
-      table_.push_back(prior.amplitude_db * prior.amplitude_db * (1.0 + r) * std::exp(-r));
+      table_.push_back(Square(prior.amplitude_db) * (1.0 + r) * std::exp(-r));
     }
   }
   // Covariances (dB^2) in place of distances (m).
@@ -56,18 +57,18 @@ FieldProcess::FieldProcess(const std::vector<FieldSample>& samples, const FieldP
     trial_.push_back(sample.trial);
   }
   Eigen::MatrixXd covariance = Covariance(positions_m_);
-  covariance.diagonal().array() += prior_.noise_db * prior_.noise_db;
+  covariance.diagonal().array() += Square(prior_.noise_db);
   const Eigen::LLT<Eigen::MatrixXd> cholesky(covariance);
   lower_ = cholesky.matrixL();
   alpha_ = cholesky.solve(deviation);
 
-  const double constant = prior_.constant_sigma_db * prior_.constant_sigma_db;
+  const double constant = Square(prior_.constant_sigma_db);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
   far_mean_dbm_ = prior_.constant_mean_dbm + constant * alpha_.sum();
   const double explained =
       constant * constant * lower_.triangularView<Eigen::Lower>().solve(ones).squaredNorm();
-  far_sigma_db_ = std::sqrt(constant - explained + prior_.amplitude_db * prior_.amplitude_db +
-                            prior_.noise_db * prior_.noise_db);
+  far_sigma_db_ =
+      std::sqrt(constant - explained + Square(prior_.amplitude_db) + Square(prior_.noise_db));
 }
 
 Eigen::MatrixXd FieldProcess::Covariance(const Eigen::Matrix2Xd& positions_m) const {
@@ -89,39 +90,46 @@ void FieldProcess::Predict(const Eigen::Matrix2Xd& positions_m, Eigen::VectorXd*
   // The variance is a difference of similar numbers only where it is small against the noise, so
   // single precision does.
   const Eigen::ArrayXf explained = ExplainedVariance(lower_.cast<float>(), cross.cast<float>());
-  const double total = prior_.constant_sigma_db * prior_.constant_sigma_db +
-                       prior_.amplitude_db * prior_.amplitude_db;
-  const double noise = prior_.noise_db * prior_.noise_db;
+  const double total = Square(prior_.constant_sigma_db) + Square(prior_.amplitude_db);
+  const double noise = Square(prior_.noise_db);
   *sigma_db = ((total - explained.cast<double>()).max(0.0) + noise).sqrt();
 }
 
-FieldProcess::LeftOut FieldProcess::LeaveOneTrialOut() const {
+Eigen::VectorXd FieldProcess::LeaveOneTrialOut(const std::vector<FieldSample>& readings) const {
+  using Indices = std::vector<Eigen::Index>;
+  std::map<std::uint32_t, Indices> samples_of, readings_of;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    samples_of[trial_[i]].push_back(static_cast<Eigen::Index>(i));
+  }
+  Eigen::Matrix2Xd positions_m(2, std::ssize(readings));
+  Eigen::VectorXd residual(positions_m.cols());
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    positions_m.col(at) = readings[i].position_m;
+    residual(at) = readings[i].rssi_dbm - prior_.constant_mean_dbm;
+    readings_of[readings[i].trial].push_back(at);
+  }
   const Eigen::Index n = positions_m_.cols();
   Eigen::MatrixXd precision = Eigen::MatrixXd::Identity(n, n);
   lower_.triangularView<Eigen::Lower>().solveInPlace(precision);
   precision = (precision.transpose() * precision).eval();
+  const Eigen::MatrixXd cross = Covariance(positions_m);
+  const Eigen::MatrixXd weights = precision * cross;
 
-  std::map<std::uint32_t, std::vector<Eigen::Index>> by_trial;
-  for (Eigen::Index i = 0; i < n; ++i) by_trial[trial_[static_cast<std::size_t>(i)]].push_back(i);
-
-  LeftOut out;
-  out.whitened.resize(static_cast<std::size_t>(n));
-  out.sigma_db.resize(static_cast<std::size_t>(n));
-  for (const auto& [trial, members] : by_trial) {
-    const Eigen::MatrixXd block = precision(members, members);
-    const Eigen::MatrixXd covariance =
-        block.llt().solve(Eigen::MatrixXd::Identity(block.rows(), block.cols()));
-    const Eigen::VectorXd residual = covariance * alpha_(members);
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const Eigen::Index i = static_cast<Eigen::Index>(k);
-      const double sigma = std::sqrt(covariance(i, i));
-      const double z = residual(i) / sigma;
-      out.whitened[static_cast<std::size_t>(members[k])] = z;
-      out.sigma_db[static_cast<std::size_t>(members[k])] = sigma;
-      out.log_density -= 0.5 * z * z + std::log(sigma * std::sqrt(2.0 * std::numbers::pi));
-    }
+  // What all samples say, less what those of the reading's own trial do.
+  residual -= cross.transpose() * alpha_;
+  Eigen::VectorXd explained = (cross.array() * weights.array()).colwise().sum().transpose();
+  for (const auto& [trial, of_trial] : readings_of) {
+    const Indices& out = samples_of[trial];
+    if (out.empty()) continue;
+    const Eigen::MatrixXd own = weights(out, of_trial);
+    const Eigen::MatrixXd solved = Eigen::MatrixXd(precision(out, out)).llt().solve(own);
+    residual(of_trial) += solved.transpose() * alpha_(out);
+    explained(of_trial) -= (own.array() * solved.array()).colwise().sum().matrix().transpose();
   }
-  return out;
+  const double total = Square(prior_.constant_sigma_db) + Square(prior_.amplitude_db);
+  const Eigen::ArrayXd variance = (total - explained.array()).max(0.0) + Square(prior_.noise_db);
+  return residual.array() / variance.sqrt();
 }
 
 }  // namespace walkgraph

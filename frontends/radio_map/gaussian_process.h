@@ -13,7 +13,6 @@ struct FieldSample {
   double rssi_dbm = 0;
   std::uint32_t walk = 0;
   std::uint32_t trial = 0;
-  double scatter_db2 = 0;  // mean square of the merged readings about rssi_dbm; 0: a single one
 };
 
 // Matern-3/2 process over the floor around an unknown constant, plus independent noise.
@@ -39,15 +38,10 @@ class FieldProcess {
   double far_mean_dbm() const { return far_mean_dbm_; }
   double far_sigma_db() const { return far_sigma_db_; }
 
-  // Residuals over their predicted standard deviation, that deviation, and the log density of each
-  // sample, when all walks of the trial that it belongs to are left out. In the order of the
-  // samples; both exact (block inverse of the covariance), not refitted.
-  struct LeftOut {
-    std::vector<double> whitened;
-    std::vector<double> sigma_db;  // predicted
-    double log_density = 0;
-  };
-  LeftOut LeaveOneTrialOut() const;
+  // Residuals of readings over their predicted standard deviation when all samples of the trial
+  // that a reading belongs to are left out. In the order of the readings; exact (block inverse of
+  // the covariance), not refitted. Readings of a trial without samples are held against all.
+  Eigen::VectorXd LeaveOneTrialOut(const std::vector<FieldSample>& readings) const;
 
  private:
   Eigen::MatrixXd Covariance(const Eigen::Matrix2Xd& positions_m) const;

@@ -17,8 +17,10 @@ namespace {
 // ladders.
 constexpr std::size_t kFitTransmitters = 60;
 
-// One sample of each walk in each cell.
-std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings, double spacing_m) {
+// The readings of one walk in one cell, in their order.
+using Cell = std::vector<const FieldSample*>;
+
+std::vector<Cell> CellsOf(const std::vector<FieldSample>& readings, double spacing_m) {
   using Key = std::tuple<std::uint32_t, long, long>;
   std::vector<std::pair<Key, const FieldSample*>> by_cell;
   by_cell.reserve(readings.size());
@@ -26,33 +28,67 @@ std::vector<FieldSample> MergeReadings(const std::vector<FieldSample>& readings,
     const Eigen::Vector2d cell = reading.position_m / spacing_m;
     by_cell.push_back({{reading.walk, std::lround(cell.x()), std::lround(cell.y())}, &reading});
   }
-  std::sort(by_cell.begin(), by_cell.end());  // readings of a cell in their order
-  std::vector<FieldSample> samples;
-  for (auto first = by_cell.begin(); first != by_cell.end();) {
-    FieldSample sum{.walk = first->second->walk, .trial = first->second->trial};
-    auto next = first;
-    for (; next != by_cell.end() && next->first == first->first; ++next) {
-      const FieldSample& reading = *next->second;
-      sum.position_m += reading.position_m;
-      sum.rssi_dbm += reading.rssi_dbm;
-      sum.scatter_db2 += reading.rssi_dbm * reading.rssi_dbm;
-    }
-    const auto count = static_cast<int>(next - first);
-    sum.position_m /= count;
-    sum.rssi_dbm /= count;
-    sum.scatter_db2 = std::max(0.0, sum.scatter_db2 / count - sum.rssi_dbm * sum.rssi_dbm);
-    samples.push_back(sum);
-    first = next;
+  std::sort(by_cell.begin(), by_cell.end());
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < by_cell.size(); ++i) {
+    if (i == 0 || by_cell[i].first != by_cell[i - 1].first) cells.emplace_back();
+    cells.back().push_back(by_cell[i].second);
   }
-  return samples;
+  return cells;
+}
+
+// No more than `max_samples` of them, by cells as wide as it takes.
+std::vector<Cell> CellsOf(const std::vector<FieldSample>& readings, double spacing_m,
+                          std::size_t max_samples) {
+  std::vector<Cell> cells = CellsOf(readings, spacing_m);
+  // One sample per walk is as far as merging goes.
+  while (cells.size() > max_samples && spacing_m < 1e4) {
+    spacing_m *= 1.5;
+    cells = CellsOf(readings, spacing_m);
+  }
+  return cells;
+}
+
+FieldSample MeanOf(const Cell& cell) {
+  FieldSample mean{.walk = cell.front()->walk, .trial = cell.front()->trial};
+  for (const FieldSample* reading : cell) {
+    mean.position_m += reading->position_m;
+    mean.rssi_dbm += reading->rssi_dbm;
+  }
+  mean.position_m /= static_cast<double>(cell.size());
+  mean.rssi_dbm /= static_cast<double>(cell.size());
+  return mean;
+}
+
+std::vector<FieldSample> MeansOf(const std::vector<Cell>& cells) {
+  std::vector<FieldSample> means;
+  means.reserve(cells.size());
+  for (const Cell& cell : cells) means.push_back(MeanOf(cell));
+  return means;
+}
+
+// Every transmitter's readings, without what a device and a body add to them.
+std::map<std::uint32_t, std::vector<FieldSample>> CollectReadings(const ScanList& scans,
+                                                                  const ReadingFilter& fits) {
+  std::map<std::uint32_t, std::vector<FieldSample>> readings;
+  for (const SurveyScan* scan : scans) {
+    for (const SurveyReading& reading : scan->readings) {
+      if (fits && !fits(*scan, reading)) continue;
+      readings[reading.transmitter].push_back(
+          {reading.position_m.cast<double>(),
+           double{reading.rssi_dbm} - scan->device_offset_db - reading.shadow_db, scan->walk,
+           scan->trial});
+    }
+  }
+  return readings;
 }
 
 using Selection = std::vector<const std::vector<FieldSample>*>;
 
 // An even selection of the transmitters that several trials heard.
-Selection SelectForFit(const std::map<std::uint32_t, std::vector<FieldSample>>& samples) {
+Selection SelectForFit(const std::map<std::uint32_t, std::vector<FieldSample>>& readings) {
   Selection eligible;
-  for (const auto& [transmitter, list] : samples) {
+  for (const auto& [transmitter, list] : readings) {
     const bool several_trials = std::any_of(list.begin(), list.end(), [&](const FieldSample& s) {
       return s.trial != list.front().trial;
     });
@@ -167,43 +203,33 @@ std::vector<float> SurveyDistanceField(const FieldGrid& grid,
 std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList& scans,
                                                                  const TrainerSettings& settings,
                                                                  const MapDetail& detail) {
-  std::map<std::uint32_t, std::vector<FieldSample>> readings;
-  for (const SurveyScan* scan : scans) {
-    for (const SurveyReading& reading : scan->readings) {
-      if (detail.fits && !detail.fits(*scan, reading)) continue;
-      readings[reading.transmitter].push_back(
-          {reading.position_m.cast<double>(),
-           double{reading.rssi_dbm} - scan->device_offset_db - reading.shadow_db, scan->walk,
-           scan->trial});
-    }
-  }
+  std::map<std::uint32_t, std::vector<FieldSample>> samples = CollectReadings(scans, detail.fits);
   std::size_t index = 0;
-  std::erase_if(readings, [&](const auto&) { return index++ % detail.keep_every != 0; });
-  for (auto& [transmitter, list] : readings) {
-    double spacing_m = settings.sample_spacing_m;
-    std::vector<FieldSample> merged = MergeReadings(list, spacing_m);
-    while (merged.size() > detail.max_samples) {
-      spacing_m *= 1.5;
-      merged = MergeReadings(list, spacing_m);
-      // One sample per walk is as far as merging goes.
-      if (spacing_m > 1e4) break;
-    }
-    list = std::move(merged);
+  std::erase_if(samples, [&](const auto&) { return index++ % detail.keep_every != 0; });
+  for (auto& [transmitter, list] : samples) {
+    list = MeansOf(CellsOf(list, settings.sample_spacing_m, detail.max_samples));
   }
-  return readings;
+  return samples;
 }
 
-double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>& samples,
-                         const FieldPrior& prior) {
+double LeftOutSigmaScale(const ScanList& scans, const TrainerSettings& settings,
+                         const FieldPrior& prior, const Executor& run) {
+  const auto readings = CollectReadings(scans, {});
+  const Selection selection = SelectForFit(readings);
+  std::vector<Eigen::VectorXd> whitened(selection.size());
+  run(selection.size(), [&](std::size_t i) {
+    const std::vector<Cell> cells =
+        CellsOf(*selection[i], settings.sample_spacing_m, MapDetail().max_samples);
+    // One of each, so that who stands still does not count for more than who walks on.
+    std::vector<FieldSample> middle;
+    for (const Cell& cell : cells) middle.push_back(*cell[cell.size() / 2]);
+    whitened[i] = FieldProcess(MeansOf(cells), prior).LeaveOneTrialOut(middle);
+  });
   double sum = 0;
-  std::size_t count = 0;
-  for (const auto* list : SelectForFit(samples)) {
-    const FieldProcess::LeftOut left_out = FieldProcess(*list, prior).LeaveOneTrialOut();
-    for (std::size_t i = 0; i < list->size(); ++i) {
-      const double z = left_out.whitened[i], sigma_db = left_out.sigma_db[i];
-      sum += z * z + (*list)[i].scatter_db2 / (sigma_db * sigma_db);
-      ++count;
-    }
+  Eigen::Index count = 0;
+  for (const Eigen::VectorXd& of_transmitter : whitened) {
+    sum += of_transmitter.squaredNorm();
+    count += of_transmitter.size();
   }
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 1.0;
 }

@@ -47,11 +47,12 @@ std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList&
                                                                  const TrainerSettings& settings,
                                                                  const MapDetail& detail = {});
 
-// Root mean square of the readings' residuals over their predicted sigma (of the readings, not of
-// the samples that average them: the map is held against readings) when whole trials are left out
-// in turn, on an even selection of transmitters; 1 where no two walks heard anything in common.
-double LeftOutSigmaScale(const std::map<std::uint32_t, std::vector<FieldSample>>& samples,
-                         const FieldPrior& prior);
+// Root mean square of readings' residuals over their predicted sigma when whole trials are left out
+// in turn, on an even selection of transmitters; 1 where no two trials heard anything in common.
+// Of the readings where they were heard, not of the samples that average them: it is readings that
+// a map is held against, and what its slope makes of a sample's width is no noise.
+double LeftOutSigmaScale(const ScanList& scans, const TrainerSettings& settings,
+                         const FieldPrior& prior, const Executor& run = RunInOrder);
 
 // Two control points beyond a box on every side, so that all of it lies inside the spline.
 FieldGrid GridOverBox(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m,

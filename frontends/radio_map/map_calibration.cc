@@ -182,7 +182,7 @@ FieldModel SelectFieldModel(const FloorSurvey& survey, const TrainerSettings& se
         kNoises, [](FieldModel& m) -> double& { return m.prior.noise_db; }, &held_out, &model,
         &score);
   }
-  model.sigma_scale = LeftOutSigmaScale(CollectSamples(survey.scans, settings), model.prior);
+  model.sigma_scale = LeftOutSigmaScale(survey.scans, settings, model.prior, run);
   return model;
 }
 

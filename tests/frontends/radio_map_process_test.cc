@@ -98,22 +98,25 @@ TEST(FieldProcessTest, AgreesWithTheTextbookFormulas) {
   }
 }
 
+// Readings beside the samples that they are part of, and one of a trial that has none.
 TEST(FieldProcessTest, LeavingAWalkOutEqualsTrainingWithoutIt) {
   const FieldPrior prior{8, 10, 4, -78, 9};
   const std::vector<FieldSample> samples = SomeSamples();
-  const FieldProcess::LeftOut left_out = FieldProcess(samples, prior).LeaveOneTrialOut();
-  ASSERT_EQ(left_out.whitened.size(), samples.size());
-  double log_density = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const FieldProcess refit(Without(samples[i].trial, samples), prior);
-    const Prediction expected = PredictAt(refit, samples[i].position_m);
-    const double residual_db = samples[i].rssi_dbm - expected.mean_dbm;
-    // The spread is predicted in single precision, the left-out ones in double.
-    EXPECT_NEAR(left_out.whitened[i], residual_db / expected.sigma_db, 2e-5);
-    log_density -= 0.5 * std::pow(residual_db / expected.sigma_db, 2) +
-                   std::log(expected.sigma_db * std::sqrt(2 * std::numbers::pi));
+  std::vector<FieldSample> readings = samples;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    readings[i].position_m += Eigen::Vector2d(1.1, -0.4) * (i % 3);
+    readings[i].rssi_dbm += 1.5 * (i % 4) - 2;
   }
-  EXPECT_NEAR(left_out.log_density, log_density, 1e-3);
+  readings.push_back({{7, 9}, -66, 9, 9});
+  const Eigen::VectorXd whitened = FieldProcess(samples, prior).LeaveOneTrialOut(readings);
+  ASSERT_EQ(whitened.size(), std::ssize(readings));
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const FieldProcess refit(Without(readings[i].trial, samples), prior);
+    const Prediction expected = PredictAt(refit, readings[i].position_m);
+    const double residual_db = readings[i].rssi_dbm - expected.mean_dbm;
+    // The spread is predicted in single precision, the left-out ones in double.
+    EXPECT_NEAR(whitened(static_cast<Eigen::Index>(i)), residual_db / expected.sigma_db, 2e-5);
+  }
 }
 
 // The same to rounding, where the refit is done in double precision and with the process's own
@@ -127,7 +130,7 @@ TEST(FieldProcessTest, LeavingAWalkOutIsExact) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     samples.push_back({{places[i], 0}, rssi[i], walks[i], walks[i]});
   }
-  const FieldProcess::LeftOut left_out = FieldProcess(samples, prior).LeaveOneTrialOut();
+  const Eigen::VectorXd whitened = FieldProcess(samples, prior).LeaveOneTrialOut(samples);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     std::vector<std::size_t> kept;
     for (std::size_t j = 0; j < samples.size(); ++j) {
@@ -148,17 +151,17 @@ TEST(FieldProcessTest, LeavingAWalkOutIsExact) {
     const Eigen::VectorXd gain = covariance.fullPivLu().solve(cross);
     const double sigma_db = std::sqrt(Covariance(prior, 0) + 16 - gain.dot(cross));
     const double residual_db = rssi[i] + 78 - gain.dot(deviation);
-    EXPECT_NEAR(left_out.whitened[i], residual_db / sigma_db, 1e-8);
+    EXPECT_NEAR(whitened(static_cast<Eigen::Index>(i)), residual_db / sigma_db, 1e-8);
   }
 }
 
 TEST(FieldProcessTest, ASingleWalkLeftOutIsJudgedByThePrior) {
   const FieldPrior prior{8, 10, 4, -78, 9};
-  const FieldProcess process({{{0, 0}, -60, 5, 5}, {{2, 0}, -70, 5, 5}}, prior);
+  const std::vector<FieldSample> samples{{{0, 0}, -60, 5, 5}, {{2, 0}, -70, 5, 5}};
   const double sigma_db = std::sqrt(81.0 + 100.0 + 16.0);
-  const FieldProcess::LeftOut left_out = process.LeaveOneTrialOut();
-  EXPECT_NEAR(left_out.whitened[0], 18 / sigma_db, 1e-9);
-  EXPECT_NEAR(left_out.whitened[1], 8 / sigma_db, 1e-9);
+  const Eigen::VectorXd whitened = FieldProcess(samples, prior).LeaveOneTrialOut(samples);
+  EXPECT_NEAR(whitened[0], 18 / sigma_db, 1e-9);
+  EXPECT_NEAR(whitened[1], 8 / sigma_db, 1e-9);
 }
 
 TEST(FieldProcessTest, FarAwayOnlyTheConstantIsKnown) {

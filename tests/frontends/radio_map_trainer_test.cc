@@ -228,6 +228,21 @@ TEST(TrainSiteTest, FloorsAndRadiosHaveMapsOfTheirOwn) {
   EXPECT_EQ(site.transmitters.size(), 8U);
 }
 
+// One scan of one transmitter.
+SurveyScan ScanOf(std::uint32_t walk, const Eigen::Vector2d& at, double rssi_dbm,
+                  std::uint32_t transmitter = 0) {
+  SurveyScan scan;
+  scan.walk = scan.trial = walk;
+  scan.readings = {{transmitter, static_cast<float>(rssi_dbm), 0, at.cast<float>()}};
+  return scan;
+}
+
+double SigmaScaleOf(const std::vector<SurveyScan>& scans, const FieldPrior& prior) {
+  ScanList list;
+  for (const SurveyScan& scan : scans) list.push_back(&scan);
+  return LeftOutSigmaScale(list, TrainerSettings(), prior);
+}
+
 // Two walks along one line whose readings scatter twice as much as the prior's noise.
 TEST(LeftOutSigmaScaleTest, GrowsWithTheScatterOfTheReadings) {
   std::mt19937 random(3);
@@ -235,20 +250,66 @@ TEST(LeftOutSigmaScaleTest, GrowsWithTheScatterOfTheReadings) {
   FieldPrior prior;
   prior.amplitude_db = 0.01;
   const auto scale_of = [&](double noise_db) {
-    std::vector<FieldSample> samples;
+    std::vector<SurveyScan> scans;
     for (std::uint32_t i = 0; i < 400; ++i) {
-      samples.push_back({{1.0 * (i / 2), 0}, -70 + noise_db * normal(random), i % 2, i % 2});
+      scans.push_back(ScanOf(i % 2, {4.0 * (i / 2), 0}, -70 + noise_db * normal(random)));
     }
-    return LeftOutSigmaScale({{0, samples}}, prior);
+    return SigmaScaleOf(scans, prior);
   };
   EXPECT_NEAR(scale_of(prior.noise_db), 1.0, 0.15);
   EXPECT_NEAR(scale_of(2 * prior.noise_db), 2.0, 0.3);
 }
 
 TEST(LeftOutSigmaScaleTest, IsOneWhereNoWalksShareATransmitter) {
-  std::vector<FieldSample> alone(20, {{1, 1}, -40, 0, 0}), other(20, {{1, 1}, -90, 1, 1});
-  EXPECT_EQ(LeftOutSigmaScale({{0, alone}, {1, other}}, {}), 1.0);
-  EXPECT_EQ(LeftOutSigmaScale({}, {}), 1.0);
+  std::vector<SurveyScan> scans;
+  for (std::uint32_t i = 0; i < 40; ++i) scans.push_back(ScanOf(i % 2, {1.0 * i, 1}, -40, i % 2));
+  EXPECT_EQ(SigmaScaleOf(scans, {}), 1.0);
+  EXPECT_EQ(SigmaScaleOf({}, {}), 1.0);
+}
+
+// Samples that average many readings are better than a single one, but it is single ones that a
+// map's spread is held against.
+TEST(LeftOutSigmaScaleTest, IsThatOfSingleReadingsHoweverManyMakeASample) {
+  constexpr double kNoiseDb = 6;
+  constexpr int kReadingsPerPlace = 10;
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, kNoiseDb);
+  std::vector<SurveyScan> scans;
+  for (std::uint32_t walk = 0; walk < 6; ++walk) {
+    for (int i = 0; i < 40 * kReadingsPerPlace; ++i) {
+      scans.push_back(ScanOf(walk, {3.0 * (i / kReadingsPerPlace), 0}, -60 + noise(random)));
+    }
+  }
+  ScanList list;
+  for (const SurveyScan& scan : scans) list.push_back(&scan);
+  const auto samples = CollectSamples(list, TrainerSettings());
+  ASSERT_EQ(samples.at(0).size(), 6u * 40u);
+  FieldPrior prior;
+  prior.amplitude_db = 1;
+  prior.noise_db = kNoiseDb / std::sqrt(kReadingsPerPlace);
+  Eigen::VectorXd mean_dbm, sigma_db;
+  FieldProcess(samples.at(0), prior).Predict(Eigen::Vector2d(30, 0), &mean_dbm, &sigma_db);
+  EXPECT_NEAR(SigmaScaleOf(scans, prior) * sigma_db[0], kNoiseDb, 0.15 * kNoiseDb);
+}
+
+// Walks past a transmitter, where a sample's three metres are several dB wide. The field knows the
+// slope, so that only the noise is left.
+TEST(LeftOutSigmaScaleTest, ASlopeAcrossASampleIsNoNoise) {
+  constexpr double kNoiseDb = 1, kSlopeDbPerM = 5;
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, kNoiseDb);
+  std::vector<SurveyScan> scans;
+  for (std::uint32_t walk = 0; walk < 4; ++walk) {
+    for (int i = 0; i < 60; ++i) {
+      const double x_m = 0.5 * i + 0.1 * walk;
+      scans.push_back(ScanOf(walk, {x_m, 0}, -100 + kSlopeDbPerM * x_m + noise(random)));
+    }
+  }
+  FieldPrior prior;
+  prior.length_m = 20;
+  prior.amplitude_db = 60;
+  prior.noise_db = kNoiseDb;
+  EXPECT_LT(SigmaScaleOf(scans, prior), 1.2);
 }
 
 TEST(CoveringGridTest, TheBoxAndThePathLieInsideTheSpline) {
@@ -276,35 +337,6 @@ TEST(CollectSamplesTest, MergesNeighboursOfOneWalkOnly) {
   ASSERT_EQ(list.size(), 3U);
   EXPECT_NEAR(list[0].rssi_dbm, -65, 1e-6);
   EXPECT_LT((list[0].position_m - Eigen::Vector2d(6.2, 6.0)).norm(), 1e-6);
-}
-
-// Samples that average many readings are better than a single one, but it is single ones that a
-// map's spread is held against.
-TEST(TrainSiteTest, SpreadIsThatOfSingleReadingsHoweverManyMakeASample) {
-  constexpr double kNoiseDb = 6;
-  constexpr int kReadingsPerPlace = 10;
-  std::mt19937 random(11);
-  std::normal_distribution<double> noise(0, kNoiseDb);
-  std::vector<SurveyScan> scans;
-  for (std::uint32_t walk = 0; walk < 6; ++walk) {
-    for (int i = 0; i < 20 * kReadingsPerPlace; ++i) {
-      const Eigen::Vector2f at(3.0F * static_cast<float>(i / kReadingsPerPlace), 0);
-      SurveyScan scan;
-      scan.walk = scan.trial = walk;
-      scan.readings = {{0, static_cast<float>(-60 + noise(random)), 0, at}};
-      scans.push_back(scan);
-    }
-  }
-  ScanList list;
-  for (const SurveyScan& scan : scans) list.push_back(&scan);
-  const auto samples = CollectSamples(list, TrainerSettings());
-  ASSERT_EQ(samples.at(0).size(), 6u * 20u);
-  FieldPrior prior;
-  prior.amplitude_db = 1;
-  prior.noise_db = kNoiseDb / std::sqrt(kReadingsPerPlace);
-  Eigen::VectorXd mean_dbm, sigma_db;
-  FieldProcess(samples.at(0), prior).Predict(Eigen::Vector2d(30, 0), &mean_dbm, &sigma_db);
-  EXPECT_NEAR(LeftOutSigmaScale(samples, prior) * sigma_db[0], kNoiseDb, 0.15 * kNoiseDb);
 }
 
 }  // namespace
