@@ -13,35 +13,31 @@ namespace {
 
 double Square(double value) { return value * value; }
 
-// Constant plus Matern-3/2 covariance over the squared distance, tabulated: a field needs it some
-// 100,000 times. Linear in the distance between entries 1/64 of the length scale apart (error under
-// 1e-4 of the amplitude squared).
-class Kernel {
- public:
-  explicit Kernel(const FieldPrior& prior)
-      : entries_per_m_(64.0 / prior.length_m), constant_(Square(prior.constant_sigma_db)) {
-    for (int i = 0; i <= kEntries; ++i) {
-      const double r = std::numbers::sqrt3 * i / 64.0;
-      table_.push_back(Square(prior.amplitude_db) * (1.0 + r) * std::exp(-r));
-    }
-  }
-  // Covariances (dB^2) in place of distances (m).
-  void Apply(Eigen::Ref<Eigen::ArrayXd> distances_m) const {
-    for (double& distance_m : distances_m) {
-      const double at = std::min(distance_m * entries_per_m_, kEntries - 1.0);
-      const int i = static_cast<int>(at);
-      const double t = at - i;
-      const auto k = static_cast<std::size_t>(i);
-      distance_m = constant_ + (1.0 - t) * table_[k] + t * table_[k + 1];
-    }
-  }
+// exp(r) to a relative 2e-6 where r < 5, from where on e^-r hardly counts: sixteen factors, each a
+// polynomial. A field needs it some 100,000 times, and of plain products compilers make vectors.
+inline float SinglePrecisionExp(float r) {
+  const float x = r / 16;
+  const float root = 1 + x * (1 + x * (1.F / 2 + x * (1.F / 6 + x * (1.F / 24 + x / 120))));
+  const float fourth = root * root * root * root;
+  return fourth * fourth * fourth * fourth;
+}
 
- private:
-  static constexpr int kEntries = 64 * 12;  // beyond 12 length scales nothing is left
-  double entries_per_m_;
-  double constant_;
-  std::vector<double> table_;
-};
+// Constant plus Matern-3/2 covariances (dB^2) in place of distances (m).
+void ApplyKernel(const FieldPrior& prior, Eigen::Ref<Eigen::ArrayXf> distances_m) {
+  const auto scale = static_cast<float>(std::numbers::sqrt3 / prior.length_m);
+  const auto amplitude = static_cast<float>(Square(prior.amplitude_db));
+  const auto constant = static_cast<float>(Square(prior.constant_sigma_db));
+  for (float& value : distances_m) {
+    const float r = scale * value;
+    value = constant + amplitude * (1 + r) / SinglePrecisionExp(r);
+  }
+}
+
+void ApplyKernel(const FieldPrior& prior, Eigen::Ref<Eigen::ArrayXd> distances_m) {
+  distances_m *= std::numbers::sqrt3 / prior.length_m;
+  distances_m = Square(prior.constant_sigma_db) +
+                Square(prior.amplitude_db) * (1 + distances_m) * (-distances_m).exp();
+}
 
 }  // namespace
 
@@ -56,7 +52,7 @@ FieldProcess::FieldProcess(const std::vector<FieldSample>& samples, const FieldP
     deviation(i) = sample.rssi_dbm - prior_.constant_mean_dbm;
     trial_.push_back(sample.trial);
   }
-  Eigen::MatrixXd covariance = Covariance(positions_m_);
+  Eigen::MatrixXd covariance = Covariance<double>(positions_m_);
   covariance.diagonal().array() += Square(prior_.noise_db);
   const Eigen::LLT<Eigen::MatrixXd> cholesky(covariance);
   lower_ = cholesky.matrixL();
@@ -71,25 +67,32 @@ FieldProcess::FieldProcess(const std::vector<FieldSample>& samples, const FieldP
       std::sqrt(constant - explained + Square(prior_.amplitude_db) + Square(prior_.noise_db));
 }
 
-Eigen::MatrixXd FieldProcess::Covariance(const Eigen::Matrix2Xd& positions_m) const {
-  const Kernel kernel(prior_);
-  Eigen::MatrixXd covariance(positions_m_.cols(), positions_m.cols());
-  const Eigen::ArrayXd x_m = positions_m_.row(0), y_m = positions_m_.row(1);
+template <typename Scalar>
+Eigen::MatrixX<Scalar> FieldProcess::Covariance(const Eigen::Matrix2Xd& positions_m) const {
+  Eigen::MatrixX<Scalar> covariance(positions_m_.cols(), positions_m.cols());
+  // From the first sample, so that a site far from its origin loses no digits.
+  const Eigen::Vector2d origin_m = positions_m_.col(0);
+  const Eigen::ArrayX<Scalar> x_m = (positions_m_.row(0).array() - origin_m.x()).cast<Scalar>();
+  const Eigen::ArrayX<Scalar> y_m = (positions_m_.row(1).array() - origin_m.y()).cast<Scalar>();
   for (Eigen::Index j = 0; j < positions_m.cols(); ++j) {
+    const Eigen::Vector2<Scalar> at = (positions_m.col(j) - origin_m).cast<Scalar>();
     auto column = covariance.col(j).array();
-    column = ((x_m - positions_m(0, j)).square() + (y_m - positions_m(1, j)).square()).sqrt();
-    kernel.Apply(column);
+    column = ((x_m - at.x()).square() + (y_m - at.y()).square()).sqrt();
+    ApplyKernel(prior_, column);
   }
   return covariance;
 }
 
 void FieldProcess::Predict(const Eigen::Matrix2Xd& positions_m, Eigen::VectorXd* mean_dbm,
                            Eigen::VectorXd* sigma_db) const {
-  const Eigen::MatrixXd cross = Covariance(positions_m);
-  *mean_dbm = (cross.transpose() * alpha_).array() + prior_.constant_mean_dbm;
+  const Eigen::MatrixXf cross = Covariance<float>(positions_m);
+  mean_dbm->resize(cross.cols());
+  for (Eigen::Index j = 0; j < cross.cols(); ++j) {
+    (*mean_dbm)(j) = prior_.constant_mean_dbm + cross.col(j).cast<double>().dot(alpha_);
+  }
   // The variance is a difference of similar numbers only where it is small against the noise, so
   // single precision does.
-  const Eigen::ArrayXf explained = ExplainedVariance(lower_.cast<float>(), cross.cast<float>());
+  const Eigen::ArrayXf explained = ExplainedVariance(lower_.cast<float>(), cross);
   const double total = Square(prior_.constant_sigma_db) + Square(prior_.amplitude_db);
   const double noise = Square(prior_.noise_db);
   *sigma_db = ((total - explained.cast<double>()).max(0.0) + noise).sqrt();
@@ -113,7 +116,7 @@ Eigen::VectorXd FieldProcess::LeaveOneTrialOut(const std::vector<FieldSample>& r
   Eigen::MatrixXd precision = Eigen::MatrixXd::Identity(n, n);
   lower_.triangularView<Eigen::Lower>().solveInPlace(precision);
   precision = (precision.transpose() * precision).eval();
-  const Eigen::MatrixXd cross = Covariance(positions_m);
+  const Eigen::MatrixXd cross = Covariance<double>(positions_m);
   const Eigen::MatrixXd weights = precision * cross;
 
   // What all samples say, less what those of the reading's own trial do.

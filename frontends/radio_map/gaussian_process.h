@@ -44,7 +44,9 @@ class FieldProcess {
   Eigen::VectorXd LeaveOneTrialOut(const std::vector<FieldSample>& readings) const;
 
  private:
-  Eigen::MatrixXd Covariance(const Eigen::Matrix2Xd& positions_m) const;
+  // Of the samples (rows) and new positions.
+  template <typename Scalar>
+  Eigen::MatrixX<Scalar> Covariance(const Eigen::Matrix2Xd& positions_m) const;
 
   FieldPrior prior_;
   std::vector<std::uint32_t> trial_;
