@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "frontends/radio_map/field_lattice.h"
 #include "frontends/radio_map/survey_scans.h"
 
 namespace walkgraph {
@@ -15,44 +16,72 @@ constexpr std::size_t kMinWalks = 6;
 constexpr std::size_t kSearchSamples = 120;
 constexpr double kPieceSeconds = 20;
 
-// What the best common offset of a scan's readings takes off its cost: the phone held against the
-// body hears everything weaker. Normal prior, integrated out.
-double OffsetGain(double slope, double information, const TrainerSettings& settings) {
+// -log p of a scan at all places of a lattice.
+struct LatticeCost {
+  Eigen::ArrayXd signal_nats, hearing_nats;
+};
+
+// A reading of a transmitter that the map knows.
+struct KnownReading {
+  std::size_t field = 0;
+  float rssi_dbm = 0;  // without the body's shadow
+};
+
+ControlValues ControlsOf(const RadioMap::TransmitterField& field, const std::vector<float>& values,
+                         float background) {
+  return {field.column, field.row, field.columns, field.rows, values, background};
+}
+
+LatticeCost CostOnLattice(const RadioMap& map, const std::vector<KnownReading>& readings,
+                          const FieldLattice& lattice, const TrainerSettings& settings) {
+  const ControlValues silence{0, 0, map.grid.columns, map.grid.rows, map.silence_nats, 0};
+  LatticeCost cost;
+  cost.hearing_nats = lattice.Evaluate(silence).cast<double>();
+  cost.signal_nats.setZero(cost.hearing_nats.size());
+  Eigen::ArrayXd slope = cost.signal_nats, information = cost.signal_nats;
+  for (const KnownReading& reading : readings) {
+    const RadioMap::TransmitterField& field = map.fields[reading.field];
+    const Eigen::ArrayXf log_sigma =
+        lattice.Evaluate(ControlsOf(field, field.log_sigma, field.background_log_sigma));
+    const Eigen::ArrayXf inverse = (-log_sigma).exp();
+    const Eigen::ArrayXf z =
+        inverse * (reading.rssi_dbm -
+                   lattice.Evaluate(ControlsOf(field, field.mean_dbm, field.background_mean_dbm)));
+    cost.signal_nats += (0.5F * z.square() + log_sigma).cast<double>();
+    slope += (z * inverse).cast<double>();
+    information += inverse.square().cast<double>();
+    // -log p_hear + log(1 - p_hear) = -logit: the silence field counts everyone as missed.
+    cost.hearing_nats -=
+        lattice.Evaluate(ControlsOf(field, field.logit_hear, field.background_logit_hear))
+            .cast<double>();
+  }
+  // What the best common offset of a scan's readings takes off its cost: the phone held against the
+  // body hears everything weaker. Normal prior, integrated out.
   const double variance = settings.rssi_offset_sigma_db * settings.rssi_offset_sigma_db;
-  const double spread = 1.0 + variance * information;
-  return 0.5 * variance * slope * slope / spread - 0.5 * std::log(spread);
+  const Eigen::ArrayXd spread = 1.0 + variance * information;
+  cost.signal_nats -= 0.5 * variance * slope.square() / spread - 0.5 * spread.log();
+  return cost;
 }
 
 ScanCost CostOverShifts(const RadioMap& map, const SurveyScan& scan, const ShiftGrid& shifts,
                         const TrainerSettings& settings) {
-  // The spread of a scan's readings along the walk matters less than the grid of shifts.
-  const Eigen::Vector2d center = MeanPosition(scan);
-  std::vector<std::pair<int, double>> known;
+  std::vector<KnownReading> known;
   for (const SurveyReading& reading : scan.readings) {
     const int field = map.FindField(reading.transmitter);
-    if (field >= 0) known.emplace_back(field, double{reading.rssi_dbm} - reading.shadow_db);
+    if (field < 0) continue;
+    known.push_back({static_cast<std::size_t>(field), reading.rssi_dbm - reading.shadow_db});
   }
-  const auto count = static_cast<Eigen::Index>(shifts.size());
-  ScanCost cost{known.size(), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const FieldBasis basis =
-        EvaluateBasis(map.grid, center + shifts.At(static_cast<std::size_t>(i)));
-    double hearing = map.Silence(basis).value;
-    double signal = 0, slope = 0, information = 0;
-    for (const auto& [field, rssi_dbm] : known) {
-      const FieldValue value = map.EvaluateValue(field, basis);
-      const double inverse = std::exp(-value.log_sigma);
-      const double z = (rssi_dbm - value.mean_dbm) * inverse;
-      signal += 0.5 * z * z + value.log_sigma;
-      slope += z * inverse;
-      information += inverse * inverse;
-      // -log p_hear + log(1 - p_hear) = -logit: the silence field counts everyone as missed.
-      hearing -= value.logit_hear;
-    }
-    cost.signal_nats[i] = signal - OffsetGain(slope, information, settings);
-    cost.hearing_nats[i] = hearing;
+  // The spread of a scan's readings along the walk matters less than the grid of shifts.
+  const Eigen::Vector2d center = MeanPosition(scan);
+  std::vector<Eigen::ArrayXd> signal_nats, hearing_nats;
+  for (const ShiftGrid::Lattice& lattice : shifts.lattices()) {
+    const Eigen::Vector2d first = center.array() - lattice.half_count * lattice.spacing_m;
+    LatticeCost cost =
+        CostOnLattice(map, known, {map.grid, first, lattice.spacing_m, lattice.side()}, settings);
+    signal_nats.push_back(std::move(cost.signal_nats));
+    hearing_nats.push_back(std::move(cost.hearing_nats));
   }
-  return cost;
+  return {known.size(), shifts.Join(signal_nats), shifts.Join(hearing_nats)};
 }
 
 double SurveyDistanceOf(const RadioMap& map, const SurveyScan& scan) {
@@ -101,7 +130,12 @@ HeldOutTrials::HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& s
     for (const SurveyReading& reading : scan->readings) transmitters.insert(reading.transmitter);
   }
   enough_ = walks.size() >= kMinWalks && by_trial_.size() >= kCalibrationFolds;
-  keep_every_ = (transmitters.size() + max_transmitters - 1) / max_transmitters;
+  const std::size_t step = (transmitters.size() + max_transmitters - 1) / max_transmitters;
+  std::size_t index = 0;
+  for (const std::uint32_t transmitter : transmitters) {
+    selection_.selected.resize(transmitter + 1);
+    selection_.selected.back() = index++ % step == 0;
+  }
 }
 
 HeldOutTrials::Fold HeldOutTrials::MakeFold(std::size_t fold) const {
@@ -116,7 +150,7 @@ HeldOutTrials::Fold HeldOutTrials::MakeFold(std::size_t fold) const {
     }
   }
   result.input = MakeMapInput(
-      training, settings_, {.keep_every = keep_every_, .max_samples = kSearchSamples, .fits = {}});
+      training, settings_, {.transmitters = selection_, .max_samples = kSearchSamples, .fits = {}});
   return result;
 }
 

@@ -43,6 +43,8 @@ class HeldOutTrials {
   HeldOutTrials(const FloorSurvey& survey, const TrainerSettings& settings,
                 std::size_t max_transmitters, const Executor& run);
 
+  const Executor& run() const { return run_; }
+
   // Six walks of three trials, fewer of which say nothing.
   bool enough() const { return enough_; }
 
@@ -68,7 +70,7 @@ class HeldOutTrials {
   const Executor& run_;
   std::map<std::uint32_t, std::map<std::uint32_t, ScanList>> by_trial_;
   bool enough_ = false;
-  std::size_t keep_every_ = 1;
+  TransmitterSelection selection_;
   std::map<std::size_t, Fold> folds_;  // those asked for
 };
 

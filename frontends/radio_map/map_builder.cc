@@ -69,11 +69,12 @@ std::vector<FieldSample> MeansOf(const std::vector<Cell>& cells) {
 
 // Every transmitter's readings, without what a device and a body add to them.
 std::map<std::uint32_t, std::vector<FieldSample>> CollectReadings(const ScanList& scans,
-                                                                  const ReadingFilter& fits) {
+                                                                  const MapDetail& detail) {
   std::map<std::uint32_t, std::vector<FieldSample>> readings;
   for (const SurveyScan* scan : scans) {
     for (const SurveyReading& reading : scan->readings) {
-      if (fits && !fits(*scan, reading)) continue;
+      if (!detail.transmitters.Has(reading.transmitter)) continue;
+      if (detail.fits && !detail.fits(*scan, reading)) continue;
       readings[reading.transmitter].push_back(
           {reading.position_m.cast<double>(),
            double{reading.rssi_dbm} - scan->device_offset_db - reading.shadow_db, scan->walk,
@@ -146,10 +147,12 @@ std::vector<Eigen::Vector2d> SweepPlaces(const ScanList& scans) {
   return places;
 }
 
-std::map<std::uint32_t, std::vector<std::size_t>> HeardIn(const ScanList& scans) {
+std::map<std::uint32_t, std::vector<std::size_t>> HeardIn(
+    const ScanList& scans, const TransmitterSelection& transmitters) {
   std::map<std::uint32_t, std::vector<std::size_t>> heard;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     for (const SurveyReading& reading : scans[i]->readings) {
+      if (!transmitters.Has(reading.transmitter)) continue;
       std::vector<std::size_t>& list = heard[reading.transmitter];
       if (list.empty() || list.back() != i) list.push_back(i);
     }
@@ -203,9 +206,7 @@ std::vector<float> SurveyDistanceField(const FieldGrid& grid,
 std::map<std::uint32_t, std::vector<FieldSample>> CollectSamples(const ScanList& scans,
                                                                  const TrainerSettings& settings,
                                                                  const MapDetail& detail) {
-  std::map<std::uint32_t, std::vector<FieldSample>> samples = CollectReadings(scans, detail.fits);
-  std::size_t index = 0;
-  std::erase_if(samples, [&](const auto&) { return index++ % detail.keep_every != 0; });
+  std::map<std::uint32_t, std::vector<FieldSample>> samples = CollectReadings(scans, detail);
   for (auto& [transmitter, list] : samples) {
     list = MeansOf(CellsOf(list, settings.sample_spacing_m, detail.max_samples));
   }
@@ -282,8 +283,8 @@ MapInput MakeMapInput(const FloorSurvey& survey, const TrainerSettings& settings
                       const MapDetail& detail) {
   MapInput input{survey.floor, survey.radio, survey.grid, {}, {}, {}, {}, {}};
   input.samples = CollectSamples(survey.scans, settings, detail);
-  input.heard_in = HeardIn(survey.scans);
-  input.sources_m = LocateSources(survey.scans);
+  input.heard_in = HeardIn(survey.scans, detail.transmitters);
+  input.sources_m = LocateSources(survey.scans, detail.transmitters);
   input.sweep_places = SweepPlaces(survey.scans);
   input.survey_distance_m = SurveyDistanceField(survey.grid, input.sweep_places);
   return input;

@@ -33,9 +33,17 @@ struct FieldModel {
   double sigma_scale = 1;         // left-out residuals over their predicted sigma, root mean square
 };
 
+// Some of a site's transmitters, or all.
+struct TransmitterSelection {
+  std::vector<bool> selected;  // by transmitter; empty: all
+  bool Has(std::uint32_t transmitter) const {
+    return selected.empty() || (transmitter < selected.size() && selected[transmitter]);
+  }
+};
+
 // How much of a map is built: trials do with less than the map that a site keeps.
 struct MapDetail {
-  std::size_t keep_every = 1;  // transmitters
+  TransmitterSelection transmitters;
   // A dense process costs O(n^3): above this many samples of a transmitter they are merged over a
   // wider spacing.
   std::size_t max_samples = 300;

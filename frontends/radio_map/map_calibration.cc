@@ -29,6 +29,7 @@ constexpr std::array kGrowths{0.125, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4};
 // Pieces of held-out walks with the shifts they were moved by.
 struct MovedPieces {
   const ShiftGrid& shifts;
+  const Executor& run;
   std::vector<HeldOutPiece> pieces;
 };
 
@@ -91,10 +92,10 @@ std::vector<Scored> ScoreCalibrations(const MovedPieces& moved, const Calibratio
   SharedErrorKernels kernels(moved.shifts);
   for (const double n_eff : grid.n_effs) {
     for (const double hear_weight : grid.hear_weights) {
-      std::vector<PiecePosterior> posteriors;
-      for (const HeldOutPiece& piece : moved.pieces) {
-        posteriors.push_back(PosteriorOf(moved.shifts, piece, n_eff, hear_weight));
-      }
+      std::vector<PiecePosterior> posteriors(moved.pieces.size());
+      moved.run(posteriors.size(), [&](std::size_t i) {
+        posteriors[i] = PosteriorOf(moved.shifts, moved.pieces[i], n_eff, hear_weight);
+      });
       ScoreMapErrors(moved.pieces, posteriors, {.n_eff = n_eff, .hear_weight = hear_weight}, grid,
                      &kernels, &scored);
     }
@@ -135,7 +136,7 @@ MapCalibration MeanCalibration(const MovedPieces& pieces, const CalibrationGrid&
 }
 
 double ModelScore(const FieldModel& model, HeldOutTrials* held_out) {
-  MovedPieces pieces{WideShifts(), {}};
+  MovedPieces pieces{WideShifts(), held_out->run(), {}};
   held_out->AppendFold(0, model, pieces.shifts, kWalksPerFold, &pieces.pieces);
   const std::array hear_weights{MapCalibration().hear_weight};
   return BestCalibration(pieces, {kCoarseNEff, hear_weights, kCoarseMapErrors, kNoGrowth}).score;
@@ -190,7 +191,7 @@ MapCalibration CalibrateMap(const FloorSurvey& survey, const FieldModel& model,
                             const TrainerSettings& settings, const Executor& run) {
   HeldOutTrials held_out(survey, settings, kCalibrationTransmitters, run);
   if (!held_out.enough()) return {};
-  MovedPieces pieces{FineShifts(), {}};
+  MovedPieces pieces{FineShifts(), run, {}};
   for (std::size_t fold = 0; fold < kCalibrationFolds; ++fold) {
     held_out.AppendFold(fold, model, pieces.shifts, kWalksPerFold, &pieces.pieces);
   }

@@ -16,35 +16,32 @@ void CubicWeights(double t, std::array<double, 4>& weight, std::array<double, 4>
                 t * t / 2.0};
 }
 
-// Splits a coordinate (in knots) into the first of its four control points and the fraction behind
-// the second; `scale` becomes 0 where the coordinate had to be clamped.
-int Locate(double knots, int count, double* fraction, double* scale) {
+}  // namespace
+
+AxisBasis EvaluateAxis(double coordinate, int count) {
   const double low = 1.0;
   const double high = static_cast<double>(count) - 2.0;
   // A comparison that is false for NaN would let it through to the cast below.
-  const double inside = knots >= low ? std::min(knots, high) : low;
-  *scale = inside == knots ? 1.0 : 0.0;
+  const double inside = coordinate >= low ? std::min(coordinate, high) : low;
   const int cell = std::min(static_cast<int>(inside), count - 3);
-  *fraction = inside - cell;
-  return cell - 1;
+  AxisBasis basis{cell - 1, {}, {}};
+  CubicWeights(inside - cell, basis.weight, basis.derivative);
+  if (inside != coordinate) basis.derivative = {};
+  return basis;
 }
 
-}  // namespace
-
 FieldBasis EvaluateBasis(const FieldGrid& grid, const Eigen::Vector2d& position_m) {
-  FieldBasis basis;
-  double tx, ty, scale_x, scale_y;
   const double h = grid.spacing_m;
-  basis.column = Locate((position_m.x() - grid.origin_m.x()) / h, grid.columns, &tx, &scale_x);
-  basis.row = Locate((position_m.y() - grid.origin_m.y()) / h, grid.rows, &ty, &scale_y);
-  std::array<double, 4> wx, wy, dx, dy;
-  CubicWeights(tx, wx, dx);
-  CubicWeights(ty, wy, dy);
+  const AxisBasis x = EvaluateAxis((position_m.x() - grid.origin_m.x()) / h, grid.columns);
+  const AxisBasis y = EvaluateAxis((position_m.y() - grid.origin_m.y()) / h, grid.rows);
+  FieldBasis basis;
+  basis.column = x.first;
+  basis.row = y.first;
   for (int r = 0; r < 4; ++r) {
     for (int c = 0; c < 4; ++c) {
-      basis.weight[4 * r + c] = wy[r] * wx[c];
-      basis.d_dx[4 * r + c] = wy[r] * dx[c] * scale_x / h;
-      basis.d_dy[4 * r + c] = dy[r] * wx[c] * scale_y / h;
+      basis.weight[4 * r + c] = y.weight[r] * x.weight[c];
+      basis.d_dx[4 * r + c] = y.weight[r] * x.derivative[c] / h;
+      basis.d_dy[4 * r + c] = y.derivative[r] * x.weight[c] / h;
     }
   }
   return basis;

@@ -32,6 +32,15 @@ struct FieldBasis {
 
 FieldBasis EvaluateBasis(const FieldGrid& grid, const Eigen::Vector2d& position_m);
 
+// The same along one axis with `count` control points, at a coordinate in their spacings.
+struct AxisBasis {
+  int first = 0;  // of four control points
+  std::array<double, 4> weight{};
+  std::array<double, 4> derivative{};  // per spacing
+};
+
+AxisBasis EvaluateAxis(double coordinate, int count);
+
 // A number that varies over a floor.
 struct ScalarValue {
   double value = 0;

@@ -19,24 +19,34 @@ Eigen::ArrayXd Normalised(const Eigen::ArrayXd& nats, const Eigen::ArrayXd& area
 
 }  // namespace
 
-ShiftGrid::ShiftGrid(double spacing_m, int half_count, int refined_half_count, int parts) {
+ShiftGrid::ShiftGrid(double spacing_m, int half_count, int refined_half_count, int parts)
+    : lattices_{{spacing_m, half_count, refined_half_count}} {
+  if (refined_half_count >= 0) {
+    lattices_.push_back({spacing_m / parts, parts * refined_half_count + parts / 2, -1});
+  }
   std::vector<double> areas_m2;
-  const auto add_cell = [&](const Eigen::Vector2d& middle, int cuts) {
-    const double side_m = spacing_m / cuts;
-    for (int row = -(cuts / 2); row <= cuts / 2; ++row) {
-      for (int column = -(cuts / 2); column <= cuts / 2; ++column) {
-        shifts_m_.push_back(middle + side_m * Eigen::Vector2d(column, row));
-        areas_m2.push_back(side_m * side_m);
+  for (std::size_t l = 0; l < lattices_.size(); ++l) {
+    const Lattice& lattice = lattices_[l];
+    Eigen::Index index = 0;
+    for (int row = -lattice.half_count; row <= lattice.half_count; ++row) {
+      for (int column = -lattice.half_count; column <= lattice.half_count; ++column, ++index) {
+        if (std::max(std::abs(row), std::abs(column)) <= lattice.hole_half_count) continue;
+        places_.push_back({l, index});
+        shifts_m_.push_back(lattice.spacing_m * Eigen::Vector2d(column, row));
+        areas_m2.push_back(lattice.spacing_m * lattice.spacing_m);
       }
-    }
-  };
-  for (int row = -half_count; row <= half_count; ++row) {
-    for (int column = -half_count; column <= half_count; ++column) {
-      const bool refined = std::max(std::abs(row), std::abs(column)) <= refined_half_count;
-      add_cell(spacing_m * Eigen::Vector2d(column, row), refined ? parts : 1);
     }
   }
   area_m2_ = Eigen::Map<const Eigen::ArrayXd>(areas_m2.data(), std::ssize(areas_m2));
+}
+
+Eigen::ArrayXd ShiftGrid::Join(const std::vector<Eigen::ArrayXd>& by_lattice) const {
+  Eigen::ArrayXd joined(static_cast<Eigen::Index>(places_.size()));
+  for (Eigen::Index i = 0; i < joined.size(); ++i) {
+    const Place& place = places_[static_cast<std::size_t>(i)];
+    joined[i] = by_lattice[place.lattice][place.index];
+  }
+  return joined;
 }
 
 SharedErrorKernel::SharedErrorKernel(const ShiftGrid& grid, double sigma_m)

@@ -18,11 +18,29 @@ class ShiftGrid {
   // are cut into `parts` x `parts`, an odd number: a map may be far off, and it may be sharp.
   ShiftGrid(double spacing_m, int half_count, int refined_half_count = -1, int parts = 1);
 
+  // The lattices that the shifts are taken from, parallel to the axes and about zero: all places
+  // but those at most `hole_half_count` from the middle, row by row, one lattice after the other.
+  struct Lattice {
+    double spacing_m = 0;
+    int half_count = 0;
+    int hole_half_count = -1;
+    int side() const { return 2 * half_count + 1; }
+  };
+  const std::vector<Lattice>& lattices() const { return lattices_; }
+  // Numbers by shift from those at all places of each lattice.
+  Eigen::ArrayXd Join(const std::vector<Eigen::ArrayXd>& by_lattice) const;
+
   std::size_t size() const { return shifts_m_.size(); }
   const Eigen::Vector2d& At(std::size_t index) const { return shifts_m_[index]; }
   const Eigen::ArrayXd& area_m2() const { return area_m2_; }  // by shift
 
  private:
+  struct Place {
+    std::size_t lattice = 0;
+    Eigen::Index index = 0;
+  };
+  std::vector<Lattice> lattices_;
+  std::vector<Place> places_;  // of the shifts
   std::vector<Eigen::Vector2d> shifts_m_;
   Eigen::ArrayXd area_m2_;
 };
@@ -56,6 +74,7 @@ class SharedErrorKernels {
 // A piece of a walk as its parts see it, all of them together and each alone.
 class PiecePosterior {
  public:
+  PiecePosterior() = default;  // of nothing
   // -log p of each part by shift of the grid, nats; at least one part.
   PiecePosterior(const ShiftGrid& grid, const std::vector<Eigen::ArrayXd>& part_nats);
 

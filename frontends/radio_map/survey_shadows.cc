@@ -17,10 +17,12 @@ void SetShadow(double amplitude_db, const Eigen::Vector2d& source_m, SurveyReadi
 
 }  // namespace
 
-std::map<std::uint32_t, Eigen::Vector2d> LocateSources(const ScanList& scans) {
+std::map<std::uint32_t, Eigen::Vector2d> LocateSources(const ScanList& scans,
+                                                       const TransmitterSelection& transmitters) {
   std::map<std::uint32_t, std::pair<Eigen::Vector2d, double>> sums;
   for (const SurveyScan* scan : scans) {
     for (const SurveyReading& reading : scan->readings) {
+      if (!transmitters.Has(reading.transmitter)) continue;
       auto& [sum, total] =
           sums.try_emplace(reading.transmitter, Eigen::Vector2d::Zero(), 0.0).first->second;
       const double milliwatt = std::pow(10.0, reading.rssi_dbm / 10.0);

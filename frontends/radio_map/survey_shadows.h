@@ -13,7 +13,8 @@ namespace walkgraph {
 
 // Where the transmitters of one radio on one floor seem to stand: the mean place of their readings,
 // weighted by the power received.
-std::map<std::uint32_t, Eigen::Vector2d> LocateSources(const ScanList& scans);
+std::map<std::uint32_t, Eigen::Vector2d> LocateSources(
+    const ScanList& scans, const TransmitterSelection& transmitters = {});
 
 // Sets the shadow_db (see body_shadow.h) of all readings of scans of one radio.
 void SetBodyShadows(double amplitude_db, std::vector<SurveyScan>* scans);

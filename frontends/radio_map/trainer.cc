@@ -108,7 +108,7 @@ void RetrainMaps(const TrainerSettings& settings, const Site& calibrated, Site* 
     const FieldModel model =
         SelectFieldModel(SurveyOf(calibrated, before.floor, before.radio, settings), settings);
     // With the survey's samples merged as ever, what is added would blur them.
-    const MapDetail detail = {.max_samples = 900, .fits = fits};
+    const MapDetail detail = {.transmitters = {}, .max_samples = 900, .fits = fits};
     RadioMap map = BuildMap(MakeMapInput(survey, settings, detail), model, settings);
     map.n_eff = before.n_eff;
     map.hear_weight = before.hear_weight;
